@@ -1,0 +1,17 @@
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# One instruction set for every machine and no contraction of a*b+c into fma: a recipe's bytes
+# must not depend on which node of a farm rendered them.
+add_compile_options(-march=x86-64-v3 -ffp-contract=off -Wall -Wextra)
+
+option(CPS_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+if(CPS_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

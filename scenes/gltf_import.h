@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scenes/scene.h"
+
+namespace cps {
+
+/// Reads a .glb or .gltf file (glTF 2.0): triangles with u8/u16/u32 indices or none, node hierarchies, shared meshes,
+/// metallic-roughness materials, textures from buffers, files and data URIs (decoded by OpenImageIO), normals and
+/// tangents made where they are missing. Lanes come from the scene's `extras.cps_lanes`:
+/// `[{"street": "A", "width_m": 3.25, "points": [[x, y, z], …]}, …]`.
+/// Throws std::runtime_error with one line (file, what, fix) for what is broken or not supported; nothing is guessed.
+Scene import_gltf(const std::filesystem::path& file);
+
+}  // namespace cps

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What stands before the camera, as plain data. World frame: glTF's, y up, metres.
+namespace cps {
+
+enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
+
+/// An image and how to look it up. Texels are RGBA, 8 bit, rows from the top; uv (0,0) is the top-left corner.
+struct Texture {
+  std::string name;
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+  bool srgb = false;  ///< colour (decode before filtering) or data
+  bool nearest = false;
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+};
+
+/// Which texture a material reads: −1 for none. `uv_transform` is KHR_texture_transform's.
+struct TextureSlot {
+  int texture = -1;
+  int uv_set = 0;
+  Eigen::Affine2f uv_transform = Eigen::Affine2f::Identity();
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// glTF 2.0 metallic-roughness. Factors are linear.
+struct Material {
+  std::string name;
+  Eigen::Vector4f base_color = {1, 1, 1, 1};
+  float metallic = 1, roughness = 1;
+  Eigen::Vector3f emissive = {0, 0, 0};  ///< radiance, before its texture
+  TextureSlot base_color_texture, metallic_roughness_texture, normal_texture, emissive_texture;
+  float normal_scale = 1;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+};
+
+/// Triangles of one material. Every array but `indices` and `uv1` has one entry per vertex; `uv1`, `colors`
+/// and `tangents` may be empty. Tangent w is the handedness of the bitangent.
+struct Mesh {
+  std::string name;
+  int material = 0;
+  std::vector<Eigen::Vector3f> positions, normals;
+  std::vector<Eigen::Vector2f> uv0, uv1;
+  std::vector<Eigen::Vector4f> tangents;
+  std::vector<Eigen::Vector4f> colors;  ///< linear RGBA, multiplies the base colour
+  std::vector<Eigen::Vector3i> triangles;
+};
+
+/// A mesh placed in the world. A determinant below zero (a mirrored node) keeps the mesh's front faces in front.
+struct Instance {
+  int mesh = 0;
+  Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
+};
+
+/// A drivable lane: its centre line in driving direction.
+struct Lane {
+  std::string street;  ///< lanes of one street see the same houses, so they stay in one split
+  float width_m = 3.25f;
+  std::vector<Eigen::Vector3f> points;
+};
+
+struct Scene {
+  std::string name, credits;  ///< credits: the file's asset.copyright, for dataset.json
+  std::vector<Texture> textures;
+  std::vector<Material> materials;  ///< never empty once imported
+  std::vector<Mesh> meshes;
+  std::vector<Instance> instances;
+  std::vector<Lane> lanes;
+  Eigen::AlignedBox3f bounds;  ///< of all instances, world
+};
+
+}  // namespace cps
