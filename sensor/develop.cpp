@@ -1,0 +1,102 @@
+#include "sensor/develop.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace cps {
+namespace {
+
+constexpr double key = 0.18;
+
+/// The linear values at which the rounded 8-bit sRGB code steps up: code(v) = how many thresholds v has reached. A table
+/// search instead of a power per value, and exact.
+std::array<float, 255> srgb_thresholds() {
+  std::array<float, 255> thresholds;
+  for (int code = 1; code <= 255; ++code) {
+    const double encoded = (code - 0.5) / 255.0;
+    thresholds[code - 1] = static_cast<float>(
+        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+  }
+  return thresholds;
+}
+
+std::uint8_t srgb_code(const std::array<float, 255>& thresholds, float linear) {
+  const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
+  return static_cast<std::uint8_t>(above - thresholds.begin());
+}
+
+bool is_range(double low, double high, double least, double most) {
+  return std::isfinite(low) && std::isfinite(high) && least <= low && low <= high && high <= most;
+}
+
+}  // namespace
+
+bool SensorOptions::is_valid(std::string* why) const {
+  if (!is_range(exposure_bias_min_ev, exposure_bias_max_ev, -10, 10)) {
+    *why = "exposure_bias_min_ev ≤ exposure_bias_max_ev must lie in [-10, 10]";
+    return false;
+  }
+  if (!is_range(full_well_min_e, full_well_max_e, 1, 1e7)) {
+    *why = "full_well_min_e ≤ full_well_max_e must lie in [1, 1e7]";
+    return false;
+  }
+  if (!is_range(read_noise_min_e, read_noise_max_e, 0, 1e4)) {
+    *why = "read_noise_min_e ≤ read_noise_max_e must lie in [0, 1e4]";
+    return false;
+  }
+  return true;
+}
+
+SensorSettings draw_sensor(const SensorOptions& options, Stream stream) {
+  // Log-uniform: noise is judged in ratios.
+  const double full_well = std::exp(
+      random_uniform(stream, 1, std::log(options.full_well_min_e), std::log(options.full_well_max_e)));
+  return {.exposure_bias_ev =
+              random_uniform(stream, 0, options.exposure_bias_min_ev, options.exposure_bias_max_ev),
+          .full_well_e = full_well,
+          .read_noise_e = random_uniform(stream, 2, options.read_noise_min_e, options.read_noise_max_e)};
+}
+
+double meter_exposure(const OIIO::ImageBuf& linear_master) {
+  const int width = linear_master.spec().width, height = linear_master.spec().height;
+  const auto* pixels = static_cast<const float*>(linear_master.localpixels());
+  std::vector<float> luminances;
+  luminances.reserve(static_cast<std::size_t>(width / 2 + 1) * (height / 2 + 1));
+  for (int y = height / 4; y < height - height / 4; ++y)
+    for (int x = width / 4; x < width - width / 4; ++x) {
+      const float* rgb = pixels + 3 * (static_cast<std::size_t>(y) * width + x);
+      luminances.push_back(0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]);
+    }
+  auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
+  std::nth_element(luminances.begin(), middle, luminances.end());
+  const float brightest = 8 * *middle;
+  double sum = 0;
+  for (float luminance : luminances) sum += std::min(luminance, brightest);
+  return sum > 0 ? key * static_cast<double>(luminances.size()) / sum : 1.0;
+}
+
+OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
+                       Stream noise) {
+  static const std::array<float, 255> thresholds = srgb_thresholds();
+  const int width = linear.spec().width, height = linear.spec().height;
+  OIIO::ImageBuf encoded(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8));
+  const auto* from = static_cast<const float*>(linear.localpixels());
+  auto* to = static_cast<std::uint8_t*>(encoded.localpixels());
+  const double scale = exposure * std::exp2(settings.exposure_bias_ev) * settings.full_well_e;
+  const double read_variance = settings.read_noise_e * settings.read_noise_e;
+  tbb::parallel_for(0, height, [&](int y) {
+    const std::size_t row = static_cast<std::size_t>(y) * width * 3;
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(width) * 3; ++i) {
+      const double electrons = std::max(0.0, scale * from[i]);
+      const double noisy = electrons + std::sqrt(electrons + read_variance) * random_normal(noise, i);
+      to[i] = srgb_code(thresholds, static_cast<float>(noisy / settings.full_well_e));
+    }
+  });
+  return encoded;
+}
+
+}  // namespace cps
