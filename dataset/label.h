@@ -7,15 +7,11 @@
 #include <string>
 
 #include "distortion/brown_conrady.h"
+#include "distortion/interval.h"
 #include "distortion/pinhole.h"
 #include "sampler/part.h"
 
 namespace cps {
-
-/// The interval one number was drawn from.
-struct Interval {
-  double low = 0, high = 0;
-};
 
 /// Everything one leaf folder's calibration.json says: its images share size, rig camera, base H-FOV and lens.
 struct Label {
@@ -35,7 +31,11 @@ struct Label {
   std::string generator;  ///< program and version
 };
 
+/// Written as `schema`. A file with another number is refused.
 inline constexpr int label_schema = 1;
+
+/// The keys under which the first seven numbers of `limits` and the label itself are written.
+inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1", "p2", "cx", "cy"};
 
 nlohmann::ordered_json to_json(const Label& label);
 

@@ -1,0 +1,74 @@
+#include <boost/program_options/errors.hpp>
+#include <exception>
+#include <functional>
+#include <iostream>
+
+#include "apps/verbs.h"
+
+namespace {
+
+using cps::Arguments;
+
+struct Verb {
+  const char* name;
+  const char* summary;
+  std::function<int(const Arguments&)> run;
+};
+
+const std::vector<Verb>& verbs() {
+  const auto train = [](const char* verb) {
+    return [verb](const Arguments& arguments) { return cps::run_cps_train(verb, arguments); };
+  };
+  static const std::vector<Verb> table = {
+      {"city", "make a city .glb from a seed", cps::cps_city},
+      {"render", "render one view of a glTF scene", cps::cps_render},
+      {"generate", "make a dataset from a recipe; picks up where it stopped", cps::cps_generate},
+      {"verify", "check every file of a dataset against its labels", cps::cps_verify},
+      {"contact-sheet", "a picture of a dataset: views through their lenses", cps::cps_contact_sheet},
+      {"train", "train a network on a dataset", train("train")},
+      {"eval", "measure a trained network on a dataset", train("eval")},
+      {"predict", "what a trained network says of images", train("predict")},
+  };
+  return table;
+}
+
+int usage(std::ostream& out) {
+  out << "cps: training data for camera calibration\n\nUsage: cps VERB [options]; cps help VERB says more.\n\n";
+  for (const Verb& verb : verbs()) out << "  " << verb.name << std::string(16 - std::string(verb.name).size(), ' ') << verb.summary << "\n";
+  out << "\nExit status: 0 done, 1 failed, 2 wrong usage.\n";
+  return 0;
+}
+
+int run(Arguments arguments) {
+  if (arguments.empty()) {
+    usage(std::cerr);
+    return 2;
+  }
+  std::string name = arguments.front();
+  arguments.erase(arguments.begin());
+  if (name == "--version") {
+    std::cout << "cps " CPS_VERSION "\n";
+    return 0;
+  }
+  if (name == "help" || name == "--help" || name == "-h") {
+    if (arguments.empty()) return usage(std::cout);
+    name = arguments.front();
+    arguments = {"--help"};
+  }
+  for (const Verb& verb : verbs())
+    if (name == verb.name) return verb.run(arguments);
+  std::cerr << "cps: '" << name << "' is not a verb; cps help lists them\n";
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  return run(Arguments(argv + 1, argv + argc));
+} catch (const boost::program_options::error& error) {
+  std::cerr << "cps: " << error.what() << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << "cps: " << error.what() << "\n";
+  return 1;
+}

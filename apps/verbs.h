@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The verbs of `cps`, one file each. Arguments are what follows the verb. They return 0, or 1 where the work was done
+/// and found something wrong (verify); throw boost::program_options::error for wrong usage (exit 2) and
+/// std::runtime_error, one line, for what failed (exit 1).
+namespace cps {
+
+using Arguments = std::vector<std::string>;
+
+int cps_city(const Arguments& arguments);
+int cps_render(const Arguments& arguments);
+int cps_generate(const Arguments& arguments);
+int cps_verify(const Arguments& arguments);
+int cps_contact_sheet(const Arguments& arguments);
+
+/// train, eval and predict: runs cps-train, found beside this program, with the verb and its arguments.
+int run_cps_train(const std::string& verb, const Arguments& arguments);
+
+}  // namespace cps

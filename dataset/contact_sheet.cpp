@@ -1,0 +1,97 @@
+#include "dataset/contact_sheet.h"
+
+#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace cps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int gap_px = 6, text_px = 13, caption_px = 3 * (text_px + 3) + 4;
+
+/// One view's images, the undistorted first.
+using Row = std::vector<const DatasetImage*>;
+
+/// The rows to show: from each set, views evenly spread over its indices.
+std::vector<Row> choose_rows(const Dataset& dataset, const ContactSheetOptions& options) {
+  std::map<fs::path, std::map<fs::path, Row>> views_of_set;
+  for (const DatasetImage& image : dataset.images)
+    views_of_set[image.file.parent_path().parent_path()][image.file.filename()].push_back(&image);
+  std::vector<Row> chosen;
+  for (auto& [set, views] : views_of_set) {
+    const auto count = std::min<std::size_t>(options.rows_per_set, views.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      auto view = std::next(views.begin(), static_cast<std::ptrdiff_t>(i * views.size() / count));
+      Row row = view->second;
+      std::sort(row.begin(), row.end(), [](const auto* a, const auto* b) { return a->file < b->file; });
+      row.resize(std::min<std::size_t>(row.size(), options.columns));
+      chosen.push_back(std::move(row));
+    }
+  }
+  return chosen;
+}
+
+int tile_height_px(const Label& label, int tile_width_px) {
+  return std::max(1, tile_width_px * label.camera.height / label.camera.width);
+}
+
+void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const DatasetImage& image, const Label& label) {
+  const Distortion& lens = label.distortion;
+  const std::string lines[] = {
+      fmt::format("{}  {}", image.file.parent_path().string(), to_string(image.part)),
+      fmt::format("fov {:.2f}°  k1 {:+.3g}  k2 {:+.3g}  k3 {:+.3g}", degrees(hfov_rad(label.camera)), lens.k1, lens.k2,
+                  lens.k3),
+      fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2, label.camera.cx,
+                  label.camera.cy, label.zoom)};
+  for (const std::string& line : lines) {
+    y += text_px + 3;
+    OIIO::ImageBufAlgo::render_text(sheet, x, y, line, text_px, "DejaVuSans", {0.92f, 0.92f, 0.92f});
+  }
+}
+
+}  // namespace
+
+bool ContactSheetOptions::is_valid(std::string* why) const {
+  if (rows_per_set < 1 || rows_per_set > 100) return *why = "rows: must lie in [1, 100]", false;
+  if (columns < 1 || columns > 100) return *why = "columns: must lie in [1, 100]", false;
+  if (tile_width_px < 64 || tile_width_px > 4096) return *why = "tile-width: must lie in [64, 4096]", false;
+  return true;
+}
+
+OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& options) {
+  const std::vector<Row> rows = choose_rows(dataset, options);
+  const auto label_of = [&](const DatasetImage& image) -> const Label& { return dataset.groups[image.group].label; };
+  int height = gap_px;
+  std::size_t columns = 1;
+  for (const Row& row : rows) {
+    height += tile_height_px(label_of(*row.front()), options.tile_width_px) + caption_px + gap_px;
+    columns = std::max(columns, row.size());
+  }
+  const int width = gap_px + static_cast<int>(columns) * (options.tile_width_px + gap_px);
+  OIIO::ImageBuf sheet(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8));
+  OIIO::ImageBufAlgo::fill(sheet, {0.09f, 0.09f, 0.1f});
+  int y = gap_px;
+  for (const Row& row : rows) {
+    int x = gap_px;
+    const int tile_height = tile_height_px(label_of(*row.front()), options.tile_width_px);
+    for (const DatasetImage* image : row) {
+      OIIO::ImageBuf full((dataset.root / image->file).string());
+      const OIIO::ROI tile(0, options.tile_width_px, 0, tile_height, 0, 1, 0, 3);
+      const OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(full, "", 0, tile);
+      if (full.has_error() || small.has_error())
+        throw std::runtime_error((dataset.root / image->file).string() + ": cannot be read: " + full.geterror());
+      OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0, small);
+      draw_caption(sheet, x, y + tile_height, *image, label_of(*image));
+      x += options.tile_width_px + gap_px;
+    }
+    y += tile_height + caption_px + gap_px;
+  }
+  return sheet;
+}
+
+}  // namespace cps

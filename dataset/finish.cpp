@@ -1,0 +1,86 @@
+#include "dataset/finish.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "dataset/files.h"
+#include "dataset/frames.h"
+#include "dataset/group_label.h"
+#include "sampler/recipe_keys.h"
+#include "sampler/recipe_values.h"
+
+namespace cps {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array parts = {Part::train, Part::val, Part::test};
+
+Json recipe_json(const Recipe& recipe) {
+  Json json;
+  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char*) { json[key] = value_text(value); });
+  return json;
+}
+
+Json conditions_json(const Plan& plan) {
+  Json json = Json::array();
+  for (const PlannedCondition& condition : plan.conditions)
+    json.push_back({{"scene", plan.scenes[condition.scene].file.filename().string()},
+                    {"sun_elevation_deg", condition.daylight.sun_elevation_deg},
+                    {"sun_azimuth_deg", condition.daylight.sun_azimuth_deg},
+                    {"turbidity", condition.daylight.turbidity}});
+  return json;
+}
+
+}  // namespace
+
+bool is_finished(const std::filesystem::path& root) { return std::filesystem::exists(root / "dataset.json"); }
+
+void finish_dataset(const std::filesystem::path& root, const Plan& plan,
+                    const std::map<std::int64_t, ViewRecord>& records, const std::vector<std::string>& scene_sha256) {
+  std::vector<std::vector<Frame>> frames_of_group(plan.groups.size());
+  std::array<std::string, 3> lists, pixel_lines;
+  std::array<std::int64_t, 3> counts = {0, 0, 0};
+  for (std::size_t v = 0; v < plan.views.size(); ++v) {
+    const PlannedView& view = plan.views[v];
+    const ViewRecord& record = records.at(static_cast<std::int64_t>(v));
+    const auto part = static_cast<std::size_t>(view.part);
+    for (std::size_t i = 0; i < record.images.size(); ++i) {
+      const ImageRecord& image = record.images[i];
+      frames_of_group[view.groups[i]].push_back({&view, &record, &image});
+      lists[part] += image.file + "\n";
+      pixel_lines[part] += image.file + " " + image.pixels_sha256 + "\n";
+      ++counts[part];
+    }
+  }
+  for (std::size_t g = 0; g < plan.groups.size(); ++g)
+    write_file(root / plan.groups[g].folder / "frames.csv", frames_csv(frames_of_group[g]));
+
+  Json splits, scene_list = Json::array();
+  for (Part part : parts) {
+    const auto p = static_cast<std::size_t>(part);
+    const std::string list = "splits/" + to_string(part) + ".txt";
+    write_file(root / list, lists[p]);
+    splits[to_string(part)] = {{"images", counts[p]}, {"list", list}, {"pixels_sha256", sha256(pixel_lines[p])}};
+  }
+  for (std::size_t s = 0; s < plan.scenes.size(); ++s)
+    scene_list.push_back({{"file", plan.scenes[s].file.filename().string()},
+                          {"credits", plan.scenes[s].credits},
+                          {"sha256", scene_sha256[s]}});
+  write_json(root / "dataset.json", {{"schema", label_schema},
+                                     {"name", plan.recipe.name},
+                                     {"generator", generator_name()},
+                                     {"seed", plan.recipe.seed},
+                                     {"recipe", recipe_json(plan.recipe)},
+                                     {"scenes", scene_list},
+                                     {"conditions", conditions_json(plan)},
+                                     {"sets", plan.sets.size()},
+                                     {"groups", plan.groups.size()},
+                                     {"views", plan.views.size()},
+                                     {"images", image_count(plan)},
+                                     {"places", {{"drawn", plan.drawn_places}, {"rejected", plan.rejected_places}}},
+                                     {"splits", splits}});
+}
+
+}  // namespace cps

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "dataset/records.h"
+
+namespace cps {
+
+/// The append-only record of finished views, one JSON line each, so that a killed job loses at most the views in flight.
+/// It belongs to one job, known by its fingerprint (of recipe, scenes and program version).
+class Journal {
+ public:
+  /// Opens or starts the journal in `<dataset>/.cps/`. A last line cut short by a kill is dropped; lines that cannot be
+  /// read are dropped and counted: their views are made again. `recipe_text` is kept beside it.
+  /// Throws std::runtime_error when the folder holds another job, naming the first recipe line that differs.
+  Journal(const std::filesystem::path& dataset, const std::string& fingerprint, const std::string& recipe_text);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// Finished views by index whose files are all still there.
+  const std::map<std::int64_t, ViewRecord>& finished() const { return finished_; }
+
+  /// Adds a view; on disk when it returns. Throws std::runtime_error when it cannot be written.
+  void append(const ViewRecord& record);
+
+  int dropped_lines() const { return dropped_lines_; }
+
+ private:
+  void read_lines(const std::filesystem::path& dataset);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  int dropped_lines_ = 0;
+  std::map<std::int64_t, ViewRecord> finished_;
+};
+
+}  // namespace cps

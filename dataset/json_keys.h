@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace cps {
+
+/// Reads the keys of a JSON object that came from outside. Every function throws std::runtime_error in one line,
+/// `<file>: <key>: <what is wrong>`.
+struct JsonKeys {
+  const nlohmann::json& json;
+  const std::string& file;
+
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const;
+
+  const nlohmann::json& at(const std::string& key) const;
+  double number(const std::string& key) const;
+  std::uint64_t unsigned_integer(const std::string& key) const;
+  /// A whole number between 1 and 2²⁰.
+  int pixels(const std::string& key) const;
+  std::string text(const std::string& key) const;
+  JsonKeys object(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key, std::size_t count) const;
+  /// Nested lists, one per row.
+  Eigen::MatrixXd matrix(const std::string& key, int rows, int columns) const;
+};
+
+}  // namespace cps

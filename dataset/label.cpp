@@ -1,0 +1,111 @@
+#include "dataset/label.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "dataset/json_keys.h"
+
+namespace cps {
+namespace {
+
+/// K and fov are written with full precision, so they agree far better than this.
+constexpr double agreement = 1e-6;
+
+Pinhole read_camera(const JsonKeys& reader) {
+  const Eigen::MatrixXd k = reader.matrix("K", 3, 3);
+  const Pinhole camera{.width = reader.pixels("width"),
+                       .height = reader.pixels("height"),
+                       .fx = k(0, 0),
+                       .fy = k(1, 1),
+                       .cx = k(0, 2),
+                       .cy = k(1, 2)};
+  if (!(camera.fx > 0 && camera.fy > 0)) reader.fail("K", "focal lengths must be positive");
+  const double focal_from_fov = camera.width / (2 * std::tan(radians(reader.number("fov")) / 2));
+  if (!(std::abs(camera.fx - focal_from_fov) <= agreement * camera.fx))
+    reader.fail("fov", "contradicts K[0][0], which should be width / (2 tan(fov/2))");
+  if (!(std::abs(reader.number("cx") - camera.cx) <= agreement * camera.width)) reader.fail("cx", "contradicts K[0][2]");
+  if (!(std::abs(reader.number("cy") - camera.cy) <= agreement * camera.height)) reader.fail("cy", "contradicts K[1][2]");
+  return camera;
+}
+
+}  // namespace
+
+nlohmann::ordered_json to_json(const Label& label) {
+  using Rows = std::vector<std::vector<double>>;
+  const Pinhole& camera = label.camera;
+  const Distortion& lens = label.distortion;
+  nlohmann::ordered_json limits;
+  for (std::size_t i = 0; i < lens_keys.size(); ++i) {
+    limits[lens_keys[i]] = nullptr;
+    if (label.limits[i]) limits[lens_keys[i]] = {label.limits[i]->low, label.limits[i]->high};
+  }
+  Rows extrinsic;
+  for (int r = 0; r < 4; ++r) {
+    const Eigen::RowVector4d row = label.vehicle_from_camera.matrix().row(r);
+    extrinsic.push_back({row[0], row[1], row[2], row[3]});
+  }
+  return {{"schema", label_schema},
+          {"fov", degrees(hfov_rad(camera))},
+          {"K", Rows{{camera.fx, 0, camera.cx}, {0, camera.fy, camera.cy}, {0, 0, 1}}},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"k1", lens.k1},
+          {"k2", lens.k2},
+          {"k3", lens.k3},
+          {"p1", lens.p1},
+          {"p2", lens.p2},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"fov_base_deg", label.fov_base_deg},
+          {"fov_true_deg", {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
+          {"crop", {{"zoom", label.zoom}}},
+          {"certificate",
+           {{"min_eigenvalue", label.certificate_min_eigenvalue},
+            {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
+          {"limits", limits},
+          {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", extrinsic}}},
+          {"part", to_string(label.part)},
+          {"seed", label.seed},
+          {"generator", label.generator}};
+}
+
+Label label_from_json(const nlohmann::json& json, const std::string& file) {
+  const JsonKeys reader{json, file};
+  if (reader.number("schema") != label_schema)
+    reader.fail("schema", "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
+  Label label;
+  label.camera = read_camera(reader);
+  label.distortion = {.k1 = reader.number("k1"),
+                      .k2 = reader.number("k2"),
+                      .k3 = reader.number("k3"),
+                      .p1 = reader.number("p1"),
+                      .p2 = reader.number("p2")};
+  label.fov_base_deg = reader.number("fov_base_deg");
+  const JsonKeys true_angles = reader.object("fov_true_deg");
+  label.fov_true_h_deg = true_angles.number("h");
+  label.fov_true_v_deg = true_angles.number("v");
+  label.fov_true_d_deg = true_angles.number("d");
+  label.zoom = reader.object("crop").number("zoom");
+  const JsonKeys certificate = reader.object("certificate");
+  label.certificate_min_eigenvalue = certificate.number("min_eigenvalue");
+  label.certificate_max_roundtrip_px = certificate.number("max_roundtrip_px");
+  const JsonKeys limits = reader.object("limits");
+  for (std::size_t i = 0; i < lens_keys.size(); ++i) {
+    if (limits.at(lens_keys[i]).is_null()) continue;
+    const std::vector<double> ends = limits.numbers(lens_keys[i], 2);
+    label.limits[i] = Interval{.low = ends[0], .high = ends[1]};
+  }
+  const JsonKeys camera = reader.object("camera");
+  label.rig_camera = camera.text("name");
+  label.vehicle_from_camera.matrix() = camera.matrix("T_vehicle_camera", 4, 4);
+  try {
+    label.part = part_from_string(reader.text("part"));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+  label.seed = reader.unsigned_integer("seed");
+  label.generator = reader.text("generator");
+  return label;
+}
+
+}  // namespace cps

@@ -1,0 +1,45 @@
+#include "sampler/lens_draw.h"
+
+#include <algorithm>
+
+namespace cps {
+namespace {
+
+/// 0 … count−1 in an order drawn from `stream` (Fisher–Yates).
+template <std::size_t count>
+std::array<int, count> drawn_order(Stream stream) {
+  std::array<int, count> order;
+  for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<int>(i);
+  for (std::size_t i = count - 1; i > 0; --i) std::swap(order[i], order[random_below(stream, i, i + 1)]);
+  return order;
+}
+
+}  // namespace
+
+DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_master, const LensBounds& bounds,
+                    const PrincipalPointBounds& principal_point_bounds, Stream stream) {
+  DrawnLens lens;
+  const Stream values = make_stream(stream.key, "values");
+  constexpr Coefficient coefficients[] = {Coefficient::k1, Coefficient::k2, Coefficient::k3, Coefficient::p1,
+                                          Coefficient::p2};
+  for (int which : drawn_order<5>(make_stream(stream.key, "coefficient order"))) {
+    const Interval limits = coefficient_limits(lens.distortion, coefficients[which], padded_master, bounds);
+    value_of(lens.distortion, coefficients[which]) = random_uniform(values, which, limits.low, limits.high);
+    lens.limits[which] = limits;
+  }
+  Eigen::Vector2d principal_point(base.cx, base.cy);
+  for (int axis : drawn_order<2>(make_stream(stream.key, "axis order"))) {
+    const Interval limits =
+        principal_point_limits(lens.distortion, base, principal_point, axis, principal_point_bounds);
+    principal_point[axis] = random_uniform(values, 5 + axis, limits.low, limits.high);
+    lens.limits[5 + axis] = limits;
+  }
+  lens.crop = border_free_crop(lens.distortion, base, principal_point);
+  return lens;
+}
+
+DrawnLens undistorted_lens(const Pinhole& base) {
+  return {.distortion = {}, .crop = {.zoom = 1, .camera = base}, .limits = {}};
+}
+
+}  // namespace cps

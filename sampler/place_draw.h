@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "random/counter_hash.h"
+#include "sampler/part.h"
+#include "sampler/recipe.h"
+#include "scenes/clearance.h"
+#include "scenes/rig.h"
+#include "scenes/routes.h"
+#include "scenes/scene.h"
+
+namespace cps {
+
+/// Where a car may be put in one scene: its lanes, its routes dealt out to the parts, and what stands in the way.
+struct DrivableScene {
+  std::vector<Lane> lanes;
+  std::vector<Route> routes;
+  std::vector<Part> route_parts;  ///< one per route; all of them `all` when streets are shared
+  ClearanceQuery clearance;
+};
+
+/// Throws std::runtime_error when the scene (called `name` in the message) has no lanes, or too few streets for three parts.
+DrivableScene drivable_scene(const Scene& scene, const std::string& name, const Recipe& recipe, Stream stream);
+
+struct DrawnPlace {
+  std::string street;
+  Place place;
+  RigCamera camera;  ///< `camera` with mount errors
+  int attempts = 0;  ///< places drawn until one was clear
+};
+
+/// A place on a route of `part`, uniform along the lanes, with the recipe's deviations, clear in front of the camera.
+/// Throws std::runtime_error when 200 attempts find none.
+DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part part, const Recipe& recipe,
+                      Stream stream);
+
+}  // namespace cps

@@ -1,0 +1,118 @@
+#include "sampler/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "distortion/warp.h"
+#include "sampler/lens_groups.h"
+#include "sampler/place_draw.h"
+#include "sampler/splits.h"
+
+namespace cps {
+namespace {
+
+std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) {
+  std::vector<PlannedCondition> conditions;
+  for (int scene = 0; scene < scenes; ++scene)
+    for (int sun = 0; sun < recipe.suns; ++sun) {
+      const Stream stream = substream(make_stream(recipe.seed, "condition"), conditions.size());
+      conditions.push_back(
+          {.scene = scene,
+           .daylight = {.sun_elevation_deg =
+                            random_uniform(stream, 0, recipe.sun_elevation_min_deg, recipe.sun_elevation_max_deg),
+                        .sun_azimuth_deg = random_uniform(stream, 1, 0, 360),
+                        .turbidity = random_uniform(stream, 2, recipe.turbidity_min, recipe.turbidity_max)}});
+    }
+  return conditions;
+}
+
+std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
+  std::vector<PlannedSet> sets;
+  for (const ImageSize& size : recipe.sizes)
+    for (double hfov_deg : recipe.base_hfov_deg) {
+      const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
+      sets.push_back({.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
+                      .base = base,
+                      .master = master_camera(base, WarpOptions{}, recipe.lens_bounds.min_eigenvalue)});
+      for (std::size_t other = 0; other + 1 < sets.size(); ++other)
+        if (sets[other].folder == sets.back().folder)
+          throw std::runtime_error("recipe: size, base-hfov-deg: two sets would share the folder " +
+                                   sets.back().folder + "; name each once, in whole degrees");
+    }
+  return sets;
+}
+
+void plan_views_of_set(Plan& plan, int set) {
+  const Recipe& recipe = plan.recipe;
+  const Stream set_stream = substream(make_stream(recipe.seed, "view"), set);
+  const std::vector<double> equal_weights(recipe.views, 1.0);
+  const std::vector<Part> parts =
+      deal_parts(equal_weights, recipe.train_share, recipe.val_share, make_stream(set_stream.key, "part"));
+  SetGroups groups(plan, set);
+  int rank_in_part[3] = {0, 0, 0};
+  for (int index = 0; index < recipe.views; ++index) {
+    const Part part = parts[index];
+    plan.views.push_back({.set = set,
+                          .index = index,
+                          .condition = static_cast<int>(static_cast<std::int64_t>(index) *
+                                                        static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
+                          .part = part,
+                          .street = {},
+                          .place = {},
+                          .camera = plan.camera,
+                          .seed = random_bits(set_stream, index),
+                          .groups = groups.groups_for(part, rank_in_part[static_cast<int>(part)]++)});
+  }
+}
+
+/// Draws the places of all views, one scene in memory at a time. `plan.views` is sorted by condition, and the
+/// conditions of a scene stand together.
+void plan_places(Plan& plan, const std::function<Scene(const std::filesystem::path&)>& load) {
+  std::size_t v = 0;
+  while (v < plan.views.size()) {
+    const int s = plan.conditions[plan.views[v].condition].scene;
+    const Scene whole = load(plan.scenes[s].file);
+    plan.scenes[s].credits = whole.credits;
+    const DrivableScene scene = drivable_scene(whole, plan.scenes[s].file.string(), plan.recipe,
+                                               substream(make_stream(plan.recipe.seed, "streets"), s));
+    for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
+      PlannedView& view = plan.views[v];
+      const DrawnPlace drawn = draw_place(scene, plan.camera, view.part, plan.recipe, make_stream(view.seed, "place"));
+      view.street = drawn.street;
+      view.place = drawn.place;
+      view.camera = drawn.camera;
+      plan.drawn_places += drawn.attempts;
+      plan.rejected_places += drawn.attempts - 1;
+    }
+  }
+}
+
+}  // namespace
+
+std::int64_t image_count(const Plan& plan) {
+  std::int64_t count = 0;
+  for (const PlannedView& view : plan.views) count += static_cast<std::int64_t>(view.groups.size());
+  return count;
+}
+
+std::string image_name(const PlannedView& view) { return fmt::format("{:06}.png", view.index); }
+
+Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
+               const std::function<Scene(const std::filesystem::path&)>& load) {
+  Plan plan;
+  plan.recipe = recipe;
+  plan.camera.name = "front";
+  plan.camera.position_m = {recipe.camera_forward_m, 0, recipe.camera_height_m};
+  for (const std::filesystem::path& file : scene_files) plan.scenes.push_back({.file = file, .credits = {}});
+  plan.conditions = plan_conditions(recipe, static_cast<int>(scene_files.size()));
+  plan.sets = plan_sets(recipe);
+  for (int set = 0; set < static_cast<int>(plan.sets.size()); ++set) plan_views_of_set(plan, set);
+  std::stable_sort(plan.views.begin(), plan.views.end(),
+                   [](const PlannedView& a, const PlannedView& b) { return a.condition < b.condition; });
+  plan_places(plan, load);
+  return plan;
+}
+
+}  // namespace cps

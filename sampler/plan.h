@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sampler/lens_draw.h"
+#include "sampler/part.h"
+#include "sampler/recipe.h"
+#include "scenes/daylight.h"
+#include "scenes/rig.h"
+#include "scenes/scene.h"
+
+/// A recipe counted out: every condition, set, group and view, before anything is rendered. The plan is a pure function
+/// of the recipe and the scenes' geometry.
+namespace cps {
+
+struct PlannedScene {
+  std::filesystem::path file;
+  std::string credits;  ///< as the file states them
+};
+
+/// Scene and light. Within one only pose and camera vary, so it is loaded once.
+struct PlannedCondition {
+  int scene = 0;
+  Daylight daylight;
+};
+
+/// One size at one base H-FOV.
+struct PlannedSet {
+  std::string folder;  ///< 1392x512_hfov090
+  Pinhole base;        ///< output-sized, at the base H-FOV, centred
+  Pinhole master;      ///< what is rendered: oversampled and padded
+};
+
+/// Images that share size, rig camera, base H-FOV and lens: one leaf folder.
+struct PlannedGroup {
+  std::string folder;  ///< <set folder>/front_lens0003
+  int set = 0;
+  int lens_number = 0;  ///< unique in the dataset, but 0, the undistorted lens, is in every set
+  Part part = Part::all;
+  DrawnLens lens;
+};
+
+/// One render and the groups that see it through their lenses.
+struct PlannedView {
+  int set = 0;
+  int index = 0;  ///< within the set; the images' file name
+  int condition = 0;
+  Part part = Part::train;
+  std::string street;
+  Place place;
+  RigCamera camera;  ///< with this view's mount errors
+  std::uint64_t seed = 0;
+  std::vector<int> groups;  ///< the undistorted one first
+};
+
+struct Plan {
+  Recipe recipe;
+  RigCamera camera;  ///< as meant, without mount errors
+  std::vector<PlannedScene> scenes;
+  std::vector<PlannedCondition> conditions;
+  std::vector<PlannedSet> sets;
+  std::vector<PlannedGroup> groups;
+  std::vector<PlannedView> views;  ///< by condition, then set, then index
+  int distorted_lenses = 0;
+  std::int64_t rejected_places = 0, drawn_places = 0;
+};
+
+/// Number of images the plan makes.
+std::int64_t image_count(const Plan& plan);
+
+/// `000017.png`
+std::string image_name(const PlannedView& view);
+
+/// Expands a valid recipe. `scene_files` are its scenes and cities as files; `load` imports one (one is held at a time).
+/// Throws std::runtime_error when a scene has too few streets for three parts or no clear places.
+Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
+               const std::function<Scene(const std::filesystem::path&)>& load);
+
+}  // namespace cps

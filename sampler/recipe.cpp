@@ -1,0 +1,115 @@
+#include "sampler/recipe.h"
+
+#include <boost/program_options/parsers.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "sampler/recipe_keys.h"
+#include "sampler/recipe_values.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+bool is_between(double value, double low, double high) { return value >= low && value <= high; }
+
+/// The first check that fails gives its reason.
+struct Check {
+  bool holds;
+  const char* reason;
+};
+
+}  // namespace
+
+bool Recipe::is_valid(std::string* why) const {
+  const auto all_sizes = [&](auto holds) {
+    for (const ImageSize& size : sizes)
+      if (!holds(size)) return false;
+    return true;
+  };
+  bool hfovs_in_range = true;
+  for (double hfov : base_hfov_deg) hfovs_in_range &= is_between(hfov, 5, 165);
+  const Check checks[] = {
+      {!name.empty(), "name: must not be empty"},
+      {!scenes.empty() || !city_seeds.empty(), "scene, city-seed: name at least one scene or city"},
+      {suns >= 1, "suns: must be at least 1"},
+      {is_between(sun_elevation_min_deg, 1, 90) && is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90),
+       "sun-elevation-min-deg ≤ sun-elevation-max-deg: must lie in [1, 90]"},
+      {is_between(turbidity_min, 2, 10) && is_between(turbidity_max, turbidity_min, 10),
+       "turbidity-min ≤ turbidity-max: must lie in [2, 10]"},
+      {!sizes.empty(), "size: name at least one, as 1392x512"},
+      {all_sizes([](const ImageSize& s) { return s.width >= 32 && s.height >= 32; }),
+       "size: width and height must be at least 32 pixels"},
+      {all_sizes([](const ImageSize& s) { return s.width <= 8192 && s.height <= 8192; }),
+       "size: width and height must be at most 8192 pixels"},
+      {!base_hfov_deg.empty(), "base-hfov-deg: name at least one"},
+      {hfovs_in_range, "base-hfov-deg: must lie in [5, 165]"},
+      {is_between(views, 3, 1'000'000), "views: must lie in [3, 1000000], one for each of train, val and test"},
+      {is_between(camera_height_m, 0.2, 10), "camera-height-m: must lie in [0.2, 10]"},
+      {is_between(camera_forward_m, -5, 10), "camera-forward-m: must lie in [-5, 10]"},
+      {is_between(mount_error_deg, 0, 30), "mount-error-deg: must lie in [0, 30]"},
+      {is_between(lateral_m, 0, 2), "lateral-m: must lie in [0, 2]"},
+      {is_between(heading_deg, 0, 45), "heading-deg: must lie in [0, 45]"},
+      {is_between(clearance_m, 0, 50), "clearance-m: must lie in [0, 50]"},
+      {is_between(lenses, 0, 10'000), "lenses: must lie in [0, 10000]"},
+      {views_per_lens >= 0, "views-per-lens: must not be negative"},
+      {is_between(train_share, 0.01, 0.98) && is_between(val_share, 0.01, 0.98) && train_share + val_share <= 0.99,
+       "train-share, val-share: each at least 0.01 and 0.01 left for test"},
+      {split == "route" || split == "thesis", "split: must be route or thesis"},
+      {is_between(samples, 1, 65536), "samples: must lie in [1, 65536]"},
+      {is_between(max_shaded_vertices, 1, 64), "max-shaded-vertices: must lie in [1, 64]"},
+  };
+  for (const Check& check : checks)
+    if (!check.holds) {
+      *why = check.reason;
+      return false;
+    }
+  return lens_bounds.is_valid(why) && principal_point_bounds.is_valid(why) && sensor.is_valid(why);
+}
+
+po::options_description recipe_options() {
+  po::options_description options("Recipe keys (in the file, or as flags that override it)");
+  const Recipe defaults;
+  for_each_recipe_key(defaults, [&](const char* key, const auto& value, const char* help) {
+    const std::string text = value_text(value);
+    const std::string shown = text.empty() ? "" : " (" + text + ")";
+    options.add_options()(key, po::value<std::string>()->value_name("…"), (help + shown).c_str());
+  });
+  return options;
+}
+
+void store_recipe_file(const std::filesystem::path& file, po::variables_map& values) {
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read; name a recipe file");
+  try {
+    po::store(po::parse_config_file(stream, recipe_options()), values);
+  } catch (const po::error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what() + "; `cps help generate` lists the keys");
+  }
+}
+
+Recipe recipe_from(const po::variables_map& values) {
+  Recipe recipe;
+  for_each_recipe_key(recipe, [&](const char* key, auto& member, const char*) {
+    if (values.count(key) == 0) return;
+    const auto& text = values[key].as<std::string>();
+    try {
+      parse_value(text, member);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(std::string("recipe: ") + key + " = " + text + ": " + error.what());
+    }
+  });
+  if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error("recipe: " + why);
+  return recipe;
+}
+
+std::string to_text(const Recipe& recipe) {
+  std::string text;
+  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char*) {
+    text += std::string(key) + " = " + value_text(value) + "\n";
+  });
+  return text;
+}
+
+}  // namespace cps

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "distortion/limits.h"
+#include "sensor/develop.h"
+
+/// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a flag of
+/// `cps generate`, and a flag overrides the file.
+namespace cps {
+
+struct ImageSize {
+  int width = 0, height = 0;  ///< pixels
+};
+
+struct Recipe {
+  std::string name = "dataset";
+  std::uint64_t seed = 0;
+
+  // Conditions: each scene under `suns` drawn suns.
+  std::vector<std::string> scenes;       ///< glTF files with lanes
+  std::vector<std::uint64_t> city_seeds;  ///< procedural cities, made when needed
+  int suns = 1;
+  double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
+  double turbidity_min = 2, turbidity_max = 6;
+
+  // Sets: every size at every base H-FOV.
+  std::vector<ImageSize> sizes;
+  std::vector<double> base_hfov_deg;
+  int views = 0;  ///< per set
+
+  // The car.
+  double camera_height_m = 1.65, camera_forward_m = 1.68;
+  double mount_error_deg = 1.0;  ///< standard deviation of the drawn yaw, pitch and roll
+  double lateral_m = 0.25;       ///< standard deviation of the car's offset from the lane's centre line
+  double heading_deg = 3.0;      ///< standard deviation of the car's heading off the lane's direction
+  double clearance_m = 2.5;      ///< a place with less free way in front of the camera is drawn again
+
+  // Lenses. Each part of the split has its own.
+  int lenses = 0;            ///< distorted images per view
+  int views_per_lens = 0;    ///< after so many views a part draws new lenses; 0: never
+  LensBounds lens_bounds;
+  PrincipalPointBounds principal_point_bounds;
+
+  // Parts: `route` gives whole streets to train, val or test; `thesis` splits by view and shares streets.
+  double train_share = 0.70, val_share = 0.15;
+  std::string split = "route";
+
+  // Rendering and the sensor.
+  int samples = 16;  ///< per master pixel; an output pixel gathers about oversampling² times as many
+  int max_shaded_vertices = 5;
+  SensorOptions sensor;
+
+  /// One line that names the key and its range when something is off.
+  bool is_valid(std::string* why) const;
+};
+
+/// Every key as a string-valued option with its help text and default, for files and flags alike.
+boost::program_options::options_description recipe_options();
+
+/// Adds a recipe file's keys to `values`; what is there already (flags) stays. Throws std::runtime_error: file, key, fix.
+void store_recipe_file(const std::filesystem::path& file, boost::program_options::variables_map& values);
+
+/// The recipe that these keys make: checked. Throws std::runtime_error: key, value, fix.
+Recipe recipe_from(const boost::program_options::variables_map& values);
+
+/// The recipe as a file that reads back to the same recipe: every key, one a line.
+std::string to_text(const Recipe& recipe);
+
+}  // namespace cps

@@ -1,0 +1,33 @@
+#include "sampler/splits.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cps {
+
+std::vector<Part> deal_parts(std::span<const double> weights, double train_share, double val_share, Stream stream) {
+  std::vector<std::size_t> order(weights.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(random_bits(stream, a), a) < std::pair(random_bits(stream, b), b);
+  });
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const double targets[3] = {train_share * total, val_share * total, (1 - train_share - val_share) * total};
+  double dealt[3] = {0, 0, 0};
+  std::vector<Part> parts(weights.size());
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const std::size_t thing = order[rank];
+    // The first three go one to each part, so none stays empty; then each thing goes where most is missing.
+    int part = static_cast<int>(rank);
+    if (rank >= 3) {
+      part = 0;
+      for (int other : {1, 2})
+        if (targets[other] - dealt[other] > targets[part] - dealt[part]) part = other;
+    }
+    dealt[part] += weights[thing];
+    parts[thing] = static_cast<Part>(part);
+  }
+  return parts;
+}
+
+}  // namespace cps
