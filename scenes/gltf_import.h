@@ -1,16 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "scenes/scene.h"
 
 namespace cps {
 
-/// Reads a .glb or .gltf file (glTF 2.0): triangles with u8/u16/u32 indices or none, node hierarchies, shared meshes,
-/// metallic-roughness materials, textures from buffers, files and data URIs (decoded by OpenImageIO), normals and
-/// tangents made where they are missing. Lanes come from the scene's `extras.cps_lanes`:
+/// Reads a .glb or .gltf file (glTF 2.0): triangles with u8/u16/u32 indices or none, node hierarchies, shared
+/// meshes, metallic-roughness materials, textures from buffers, files and data URIs (decoded by OpenImageIO),
+/// normals and tangents made where they are missing. Lanes come from the scene's `extras.cps_lanes`:
 /// `[{"street": "A", "width_m": 3.25, "points": [[x, y, z], …]}, …]`.
-/// Throws std::runtime_error with one line (file, what, fix) for what is broken or not supported; nothing is guessed.
-Scene import_gltf(const std::filesystem::path& file);
+/// What can be left out without changing the shape of things (extensions of materials, animations, …) is
+/// noted in `warnings`, a line each. Throws std::runtime_error with one line (file, what, fix) for what is
+/// broken or not supported; nothing is guessed.
+Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace cps

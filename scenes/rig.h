@@ -6,18 +6,20 @@
 namespace cps {
 
 /// Where the car stands: a point on the road (world, y up, metres) and the heading about +y,
-/// 0 along world +x, growing to the left (anticlockwise from above). Vehicle frame: x forward, y left, z up (ISO 8855),
-/// its origin on the road below the rear axle's centre.
+/// 0 along world +x, growing to the left (anticlockwise from above). Vehicle frame: x forward, y left, z up
+/// (ISO 8855), its origin on the road below the rear axle's centre.
 struct Place {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double heading_rad = 0;
 };
 
-/// A camera bolted to the car: its position in the vehicle frame and how it is turned from looking straight ahead.
+/// A camera bolted to the car: its position in the vehicle frame and how it is turned from looking straight
+/// ahead.
 struct RigCamera {
   std::string name = "front";
   Eigen::Vector3d position_m = {1.68, 0.0, 1.65};
-  double yaw_deg = 0, pitch_deg = 0, roll_deg = 0;  ///< left, up and clockwise positive (about z, −y, x; applied in this order)
+  double yaw_deg = 0, pitch_deg = 0,
+         roll_deg = 0;  ///< left, up and clockwise positive (about z, −y, x; applied in this order)
   bool is_valid(std::string* why) const;
 };
 

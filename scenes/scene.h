@@ -11,7 +11,8 @@ namespace cps {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
 
-/// An image and how to look it up. Texels are RGBA, 8 bit, rows from the top; uv (0,0) is the top-left corner.
+/// An image and how to look it up. Texels are RGBA, 8 bit, rows from the top; uv (0,0) is the top-left
+/// corner.
 struct Texture {
   std::string name;
   int width = 0, height = 0;
@@ -55,7 +56,8 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;
 };
 
-/// A mesh placed in the world. A determinant below zero (a mirrored node) keeps the mesh's front faces in front.
+/// A mesh placed in the world. A determinant below zero (a mirrored node) keeps the mesh's front faces in
+/// front.
 struct Instance {
   int mesh = 0;
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();

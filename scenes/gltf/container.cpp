@@ -1,0 +1,130 @@
+#include "scenes/gltf/container.h"
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "scenes/gltf/json_checks.h"
+
+namespace cps::gltf {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+/// tinygltf counts bytes in 32 bits, images in 31.
+constexpr std::uintmax_t max_file_bytes = std::numeric_limits<std::int32_t>::max();
+
+/// Reads a regular file; `why` names what is wrong otherwise.
+bool read_bytes(const std::filesystem::path& file, Bytes& bytes, std::string& why) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return why = "no such file", false;
+  if (!std::filesystem::is_regular_file(status)) return why = "is not a regular file", false;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return why = error.message(), false;
+  if (size == 0) return why = "is empty", false;
+  if (size > max_file_bytes) return why = "is larger than 2 GiB", false;
+  std::ifstream stream(file, std::ios::binary);
+  bytes.resize(size);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    return why = "cannot be read", false;
+  return true;
+}
+
+std::uint32_t little_endian_u32(const Bytes& bytes, std::size_t offset) {
+  std::uint32_t value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+bool is_glb(const Bytes& bytes) {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+/// glTF 2.0 §4.4: a 12-byte header, then chunks of length, type and data, JSON first. Returns the JSON.
+std::string_view check_glb(const std::filesystem::path& file, const Bytes& bytes) {
+  constexpr std::uint32_t json_chunk = 0x4E4F534A;
+  if (bytes.size() < 20) refuse(file, "GLB header", "the file ends inside it: is it complete?");
+  if (little_endian_u32(bytes, 4) != 2)
+    refuse(file, "GLB header", "container version is not 2: convert the file to glTF 2.0");
+  const std::size_t length = little_endian_u32(bytes, 8);
+  if (length > bytes.size())
+    refuse(file, "GLB header",
+           "announces " + std::to_string(length) + " bytes, the file has " + std::to_string(bytes.size()) +
+               ": is it complete?");
+  for (std::size_t offset = 12; offset < length;) {
+    if (length - offset < 8) refuse(file, "GLB chunk", "its header is cut off: is the file complete?");
+    const std::size_t chunk = little_endian_u32(bytes, offset);
+    if (chunk > length - offset - 8) refuse(file, "GLB chunk", "is longer than the file: is it complete?");
+    if (chunk % 4 != 0) refuse(file, "GLB chunk", "its length is not a multiple of 4");
+    offset += 8 + chunk;
+  }
+  if (length < 20 || little_endian_u32(bytes, 16) != json_chunk)
+    refuse(file, "GLB chunk", "the first one is not JSON: is this a glTF file?");
+  return {reinterpret_cast<const char*>(bytes.data()) + 20, little_endian_u32(bytes, 12)};
+}
+
+/// Keeps an image file's bytes for later. Images in buffer views are left alone: tinygltf hands over a
+/// pointer it has not checked.
+bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                      const unsigned char* bytes, int size, void*) {
+  if (image->bufferView == -1) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+/// tinygltf looks for files beside the glTF file and then in the current directory; only the former is meant.
+tinygltf::FsCallbacks files_beside(std::string* folder) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string& path, void* user) {
+    std::error_code error;
+    return path.rfind(*static_cast<std::string*>(user) + "/", 0) == 0 &&
+           std::filesystem::is_regular_file(path, error);
+  };
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void*) {
+    std::string why;
+    if (read_bytes(path, *out, why)) return true;
+    if (error) *error += why;
+    return false;
+  };
+  callbacks.user_data = folder;
+  return callbacks;
+}
+
+}  // namespace
+
+Document read_document(const std::filesystem::path& file) {
+  Bytes bytes;
+  std::string why;
+  if (!read_bytes(file, bytes, why)) throw std::runtime_error(file.string() + ": " + why);
+
+  const bool glb = is_glb(bytes);
+  const std::string_view text =
+      glb ? check_glb(file, bytes)
+          : std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  parse_checked_json(file, text);
+
+  Document document;
+  document.file = file;
+  std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  tinygltf::TinyGLTF reader;
+  reader.SetImageLoader(keep_image_bytes, nullptr);
+  reader.SetFsCallbacks(files_beside(&folder));
+  std::string error, remarks;
+  bool loaded = false;
+  try {
+    const auto size = static_cast<unsigned int>(bytes.size());
+    loaded = glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder)
+                 : reader.LoadASCIIFromString(&document.model, &error, &remarks,
+                                              reinterpret_cast<const char*>(bytes.data()), size, folder);
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  // It also returns true after errors that made it drop a part of the file.
+  if (!loaded || !error.empty()) refuse(file, "glTF", error.empty() ? "cannot be parsed" : error);
+  return document;
+}
+
+}  // namespace cps::gltf

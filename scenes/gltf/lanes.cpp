@@ -1,0 +1,55 @@
+#include "scenes/gltf/lanes.h"
+
+namespace cps::gltf {
+namespace {
+
+Eigen::Vector3f read_point(const Document& document, const tinygltf::Value& value, const std::string& where) {
+  Eigen::Vector3f point = Eigen::Vector3f::Zero();
+  bool valid = value.ArrayLen() == 3;
+  for (int c = 0; c < 3 && valid; ++c) {
+    valid = value.Get(c).IsNumber();
+    point[c] = static_cast<float>(value.Get(c).GetNumberAsDouble());
+  }
+  if (!valid || !point.allFinite())
+    refuse(document, where, "must be three finite numbers: x, y, z in metres");
+  return point;
+}
+
+Lane read_lane(const Document& document, const tinygltf::Value& value, const std::string& where) {
+  if (!value.IsObject() || !value.Has("street") || !value.Get("street").IsString())
+    refuse(document, where + ".street", "must be the name of the lane's street");
+  Lane lane;
+  lane.street = value.Get("street").Get<std::string>();
+  if (value.Has("width_m")) {
+    lane.width_m =
+        static_cast<float>(value.Get("width_m").IsNumber() ? value.Get("width_m").GetNumberAsDouble() : 0);
+    if (!(lane.width_m >= 1 && lane.width_m <= 20))
+      refuse(document, where + ".width_m", "must be 1 to 20 metres");
+  }
+  const tinygltf::Value& points = value.Get("points");
+  for (std::size_t i = 0; i < points.ArrayLen(); ++i) {
+    const std::string name = where + "." + element("points", i);
+    lane.points.push_back(read_point(document, points.Get(static_cast<int>(i)), name));
+    if (i > 0 && lane.points[i] == lane.points[i - 1]) refuse(document, name, "repeats the point before it");
+  }
+  if (lane.points.size() < 2) refuse(document, where + ".points", "must be at least two points");
+  return lane;
+}
+
+}  // namespace
+
+std::vector<Lane> read_lanes(const Document& document, int scene) {
+  std::vector<Lane> lanes;
+  if (scene == -1) return lanes;
+  const tinygltf::Value& extras = document.model.scenes[scene].extras;
+  if (!extras.Has("cps_lanes")) return lanes;
+  const tinygltf::Value& list = extras.Get("cps_lanes");
+  const std::string where = element("scenes", scene) + ".extras.cps_lanes";
+  if (!list.IsArray()) refuse(document, where, "must be an array of lanes");
+  for (std::size_t i = 0; i < list.ArrayLen(); ++i)
+    lanes.push_back(
+        read_lane(document, list.Get(static_cast<int>(i)), where + "[" + std::to_string(i) + "]"));
+  return lanes;
+}
+
+}  // namespace cps::gltf

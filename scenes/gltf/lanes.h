@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/gltf/document.h"
+#include "scenes/scene.h"
+
+namespace cps::gltf {
+
+/// The lanes in `extras.cps_lanes` of a glTF scene (−1: none), checked: a street's name, a width of 1 to 20
+/// m, two or more finite points that do not repeat.
+std::vector<Lane> read_lanes(const Document& document, int scene);
+
+}  // namespace cps::gltf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "scenes/gltf/materials.h"
+
+namespace cps::gltf {
+
+/// Turns the glTF meshes that nodes really use into the scene's, each once.
+struct MeshTable {
+  Document& document;
+  Scene& scene;
+  MaterialTable materials;
+  std::map<int, std::vector<int>> meshes;  ///< glTF mesh → scene's, one per primitive
+};
+
+/// The scene's meshes for a glTF mesh: one for each of its primitives that are triangles. Points and lines
+/// are left out with a warning; missing or broken normals and tangents are made.
+const std::vector<int>& mesh_indices(MeshTable& table, int gltf_mesh);
+
+}  // namespace cps::gltf

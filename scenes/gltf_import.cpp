@@ -1,0 +1,80 @@
+#include "scenes/gltf_import.h"
+
+#include <cmath>
+#include <new>
+
+#include "scenes/gltf/container.h"
+#include "scenes/gltf/lanes.h"
+#include "scenes/gltf/meshes.h"
+#include "scenes/gltf/nodes.h"
+
+namespace cps {
+namespace {
+
+using namespace gltf;
+
+/// A transform that flattens everything would leave its normals undefined.
+bool is_invertible(const Eigen::Affine3f& transform) {
+  const Eigen::Matrix3f m = transform.linear();
+  const float size = m.col(0).norm() * m.col(1).norm() * m.col(2).norm();
+  return transform.matrix().allFinite() && size > 0 && std::abs(m.determinant()) > 1e-6f * size;
+}
+
+void add_instances(MeshTable& meshes, const PlacedNode& placed) {
+  Document& document = meshes.document;
+  const tinygltf::Node& node = document.model.nodes[placed.node];
+  if (node.mesh == -1) return;
+  const std::string where = element("nodes", placed.node);
+  if (!in_range(node.mesh, document.model.meshes))
+    refuse(document, where + ".mesh", std::to_string(node.mesh) + " does not exist");
+  if (node.skin != -1) warn(document, where + ": drawn without its skin");
+  const Eigen::Affine3f world_from_mesh = placed.world_from_node.cast<float>();
+  if (!is_invertible(world_from_mesh)) {
+    warn(document, where + ": its scale is 0 along an axis, not drawn");
+    return;
+  }
+  for (const int mesh : mesh_indices(meshes, node.mesh))
+    meshes.scene.instances.push_back({mesh, world_from_mesh});
+}
+
+/// Boxes of the transformed boxes of the meshes: never too small, a little large for turned instances.
+Eigen::AlignedBox3f bounds_of(const Document& document, const Scene& scene) {
+  std::vector<Eigen::AlignedBox3f> mesh_boxes(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+    for (const Eigen::Vector3f& position : scene.meshes[i].positions) mesh_boxes[i].extend(position);
+  Eigen::AlignedBox3f bounds;
+  for (const Instance& instance : scene.instances)
+    bounds.extend(mesh_boxes[instance.mesh].transformed(instance.world_from_mesh));
+  constexpr float farthest_m = 1e7f;  // a float still tells metres apart there
+  if (!(bounds.min().minCoeff() > -farthest_m && bounds.max().maxCoeff() < farthest_m))
+    refuse(document, "scene", "reaches beyond 10,000 km: scale it to metres");
+  return bounds;
+}
+
+Scene make_scene(Document& document) {
+  Scene scene;
+  const int index = scene_to_read(document);
+  if (index != -1) scene.name = document.model.scenes[index].name;
+  if (scene.name.empty()) scene.name = document.file.stem().string();
+  scene.credits = document.model.asset.copyright;
+  MeshTable meshes{document, scene, {document, scene, {}, {}}, {}};
+  for (const PlacedNode& placed : place_nodes(document, index)) add_instances(meshes, placed);
+  if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
+  scene.bounds = bounds_of(document, scene);
+  scene.lanes = read_lanes(document, index);
+  if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
+  return scene;
+}
+
+}  // namespace
+
+Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings) try {
+  Document document = read_document(file);
+  Scene scene = make_scene(document);
+  if (warnings) *warnings = document.warnings;
+  return scene;
+} catch (const std::bad_alloc&) {
+  refuse(file, "memory", "not enough to read this file");
+}
+
+}  // namespace cps

@@ -1,0 +1,57 @@
+#include "scenes/rig.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace cps {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+bool refuse(std::string* why, const std::string& text) {
+  if (why) *why = text;
+  return false;
+}
+
+/// Names become folder names.
+bool is_plain_name(const std::string& name) {
+  return !name.empty() && name.size() <= 64 &&
+         name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+             std::string::npos;
+}
+
+}  // namespace
+
+bool RigCamera::is_valid(std::string* why) const {
+  if (!is_plain_name(name))
+    return refuse(why, "name = \"" + name + "\" must be 1 to 64 letters, digits, - or _");
+  if (!(position_m.cwiseAbs().maxCoeff() <= 50))
+    return refuse(why, "position_m must lie within 50 m of the car's origin");
+  if (!(std::abs(yaw_deg) <= 180)) return refuse(why, "yaw_deg must be within -180 and 180");
+  if (!(std::abs(pitch_deg) <= 90)) return refuse(why, "pitch_deg must be within -90 and 90");
+  if (!(std::abs(roll_deg) <= 180)) return refuse(why, "roll_deg must be within -180 and 180");
+  return true;
+}
+
+Eigen::Isometry3d vehicle_from_camera(const RigCamera& camera) {
+  Eigen::Matrix3d straight_ahead;  // columns: where the camera's x (right), y (down) and z (forward) point
+  straight_ahead << 0, 0, 1,       //
+      -1, 0, 0,                    //
+      0, -1, 0;
+  return Eigen::Translation3d(camera.position_m) *
+         Eigen::AngleAxisd(camera.yaw_deg * radians, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(camera.pitch_deg * radians, -Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(camera.roll_deg * radians, Eigen::Vector3d::UnitX()) *
+         Eigen::Isometry3d(straight_ahead);
+}
+
+Eigen::Isometry3d world_from_vehicle(const Place& place) {
+  Eigen::Matrix3d heading_east;  // columns: where the vehicle's x (forward), y (left) and z (up) point
+  heading_east << 1, 0, 0,       //
+      0, 0, 1,                   //
+      0, -1, 0;
+  return Eigen::Translation3d(place.position) *
+         Eigen::AngleAxisd(place.heading_rad, Eigen::Vector3d::UnitY()) * Eigen::Isometry3d(heading_east);
+}
+
+}  // namespace cps
