@@ -1,9 +1,15 @@
 #include "sampler/lens_draw.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "distortion/warp.h"
 
 namespace cps {
 namespace {
+
+constexpr int max_attempts = 1000;
 
 /// 0 … count−1 in an order drawn from `stream` (Fisher–Yates).
 template <std::size_t count>
@@ -14,9 +20,7 @@ std::array<int, count> drawn_order(Stream stream) {
   return order;
 }
 
-}  // namespace
-
-DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_master, const LensBounds& bounds,
+DrawnLens draw_once(const Pinhole& base, const Eigen::AlignedBox2d& padded_master, const LensBounds& bounds,
                     const PrincipalPointBounds& principal_point_bounds, Stream stream) {
   DrawnLens lens;
   const Stream values = make_stream(stream.key, "values");
@@ -24,22 +28,41 @@ DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_maste
                                           Coefficient::p2};
   for (int which : drawn_order<5>(make_stream(stream.key, "coefficient order"))) {
     const Interval limits = coefficient_limits(lens.distortion, coefficients[which], padded_master, bounds);
-    value_of(lens.distortion, coefficients[which]) = random_uniform(values, which, limits.low, limits.high);
+    coefficient(lens.distortion, coefficients[which]) = random_uniform(values, which, limits.low, limits.high);
     lens.limits[which] = limits;
   }
   Eigen::Vector2d principal_point(base.cx, base.cy);
   for (int axis : drawn_order<2>(make_stream(stream.key, "axis order"))) {
-    const Interval limits =
-        principal_point_limits(lens.distortion, base, principal_point, axis, principal_point_bounds);
+    const Interval limits = principal_point_limits(
+        lens.distortion, base, principal_point, axis == 0 ? PrincipalPointAxis::cx : PrincipalPointAxis::cy,
+        principal_point_bounds);
     principal_point[axis] = random_uniform(values, 5 + axis, limits.low, limits.high);
     lens.limits[5 + axis] = limits;
   }
-  lens.crop = border_free_crop(lens.distortion, base, principal_point);
+  lens.crop = border_free_crop(
+      lens.distortion, base, principal_point,
+      {.max_zoom = principal_point_bounds.max_zoom,
+       .max_magnification = largest_magnification(WarpOptions{}),
+       .certificate = {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue}});
   return lens;
 }
 
+}  // namespace
+
+DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_master, const LensBounds& bounds,
+                    const PrincipalPointBounds& principal_point_bounds, Stream stream) {
+  std::string why;
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+    DrawnLens lens = draw_once(base, padded_master, bounds, principal_point_bounds, substream(stream, attempt));
+    if (lens.crop.valid) return lens;
+    why = lens.crop.why;
+  }
+  throw std::runtime_error("no lens within the bounds in " + std::to_string(max_attempts) + " attempts, the last because " +
+                           why + "; widen max-zoom or max-eigenvalue, or lower max-displacement");
+}
+
 DrawnLens undistorted_lens(const Pinhole& base) {
-  return {.distortion = {}, .crop = {.zoom = 1, .camera = base}, .limits = {}};
+  return {.distortion = {}, .crop = border_free_crop({}, base, {base.cx, base.cy}), .limits = {}};
 }
 
 }  // namespace cps
