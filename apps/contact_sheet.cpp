@@ -24,7 +24,8 @@ int cps_contact_sheet(const Arguments& arguments) {
   positional.add("dataset", 1);
   po::variables_map values;
   if (!parse_options(arguments,
-                     "cps contact-sheet DATASET -o FILE\nOne picture of a dataset: views side by side through their lenses, "
+                     "cps contact-sheet DATASET -o FILE\nOne picture of a dataset: views side by side "
+                     "through their lenses, "
                      "with their labels.\n",
                      options, positional, values))
     return 0;

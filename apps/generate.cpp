@@ -1,3 +1,5 @@
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 
 #include <iostream>
@@ -32,8 +34,8 @@ OIIO::ImageBuf render_master(const Plan& plan, const PlannedView& view, const Re
                  .seed = make_stream(view.seed, "render").key});
 }
 
-/// The master through one lens and the sensor into its file. The sensor is drawn from the view and the group's number
-/// alone, so that it knows nothing of the lens.
+/// The master through one lens and the sensor into its file. The sensor is drawn from the view and the
+/// group's number alone, so that it knows nothing of the lens.
 ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedGroup& group,
                        const OIIO::ImageBuf& master, double exposure, const fs::path& root) {
   const Stream stream = substream(make_stream(view.seed, "sensor"), group.lens_number);
@@ -83,7 +85,8 @@ void generate(const Plan& plan, Journal& journal, const fs::path& root) {
 
 constexpr const char* usage =
     "cps generate --recipe FILE --out DIR [--KEY VALUE …]\n"
-    "Makes a dataset: plans every view and lens, renders each view once, and sends it through its lenses and the sensor.\n"
+    "Makes a dataset: plans every view and lens, renders each view once, and sends it through its lenses and "
+    "the sensor.\n"
     "Run it again after an interruption and it finishes the job; a finished job is left alone.\n";
 
 }  // namespace
@@ -91,25 +94,31 @@ constexpr const char* usage =
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(), "recipe file: key = value lines")(
-      "out", po::value<std::string>()->required(), "the dataset's folder");
+      "out", po::value<std::string>()->required(), "the dataset's folder")(
+      "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
   options.add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
   if (values.count("recipe") > 0) store_recipe_file(values["recipe"].as<std::string>(), values);
   po::notify(values);
 
+  if (values["threads"].as<int>() < 1) throw po::error("threads: must be at least 1");
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    values["threads"].as<int>());
   const Recipe recipe = recipe_from(values);
   const fs::path root = values["out"].as<std::string>();
   const std::vector<fs::path> scenes = scene_files(recipe, root / "scenes");
   const std::vector<std::string> hashes = scene_hashes(scenes);
-  Journal journal(root, job_fingerprint(recipe, hashes), to_text(recipe));
+  const Job job{.fingerprint = job_fingerprint(recipe, hashes), .recipe_text = to_text(recipe)};
   if (is_finished(root)) {
+    require_same_job(root, job);
     std::cout << root.string() << ": is finished; nothing to do\n";
     return 0;
   }
   const Plan plan = make_plan(recipe, scenes, [](const fs::path& file) { return import_gltf(file); });
   std::cout << root.string() << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
             << image_count(plan) << " images\n";
+  Journal journal(root, job);
   generate(plan, journal, root);
   finish_dataset(root, plan, journal.finished(), hashes);
   std::cout << root.string() << ": finished\n";

@@ -33,8 +33,10 @@ const std::vector<Verb>& verbs() {
 }
 
 int usage(std::ostream& out) {
-  out << "cps: training data for camera calibration\n\nUsage: cps VERB [options]; cps help VERB says more.\n\n";
-  for (const Verb& verb : verbs()) out << "  " << verb.name << std::string(16 - std::string(verb.name).size(), ' ') << verb.summary << "\n";
+  out << "cps: training data for camera calibration\n\nUsage: cps VERB [options]; cps help VERB says "
+         "more.\n\n";
+  for (const Verb& verb : verbs())
+    out << "  " << verb.name << std::string(16 - std::string(verb.name).size(), ' ') << verb.summary << "\n";
   out << "\nExit status: 0 done, 1 failed, 2 wrong usage.\n";
   return 0;
 }

@@ -7,8 +7,8 @@
 
 namespace cps {
 
-/// Parses a verb's arguments. With --help, prints `usage` and the options and returns false. Unknown flags and missing
-/// values throw boost::program_options::error.
+/// Parses a verb's arguments. With --help, prints `usage` and the options and returns false. Unknown flags
+/// and missing values throw boost::program_options::error.
 inline bool parse_options(const std::vector<std::string>& arguments, const std::string& usage,
                           boost::program_options::options_description visible,
                           const boost::program_options::positional_options_description& positional,
@@ -17,7 +17,8 @@ inline bool parse_options(const std::vector<std::string>& arguments, const std::
   visible.add_options()("help,h", "this text");
   // Options may not be shortened: a recipe key added later must not change what a script means.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(po::command_line_parser(arguments).options(visible).positional(positional).style(style).run(), values);
+  po::store(po::command_line_parser(arguments).options(visible).positional(positional).style(style).run(),
+            values);
   if (values.count("help") == 0) return true;
   std::cout << usage << "\n" << visible;
   return false;

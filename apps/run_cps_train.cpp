@@ -13,7 +13,8 @@ int run_cps_train(const std::string& verb, const Arguments& arguments) {
   const std::filesystem::path program =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cps-train";
   if (!std::filesystem::exists(program))
-    throw std::runtime_error("cps " + verb + ": " + program.string() + " is missing; build or install the trainer");
+    throw std::runtime_error("cps " + verb + ": " + program.string() +
+                             " is missing; build or install the trainer");
   std::vector<std::string> words = {program.string(), verb};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> scene_files(const Recipe& recipe, const fs::path& city_folder) {
   std::vector<fs::path> files(recipe.scenes.begin(), recipe.scenes.end());
   for (const fs::path& file : files)
-    if (!fs::is_regular_file(file)) throw std::runtime_error("scene: " + file.string() + ": there is no such file");
+    if (!fs::is_regular_file(file))
+      throw std::runtime_error("scene: " + file.string() + ": there is no such file");
   for (std::uint64_t seed : recipe.city_seeds) {
     const fs::path file = city_folder / ("city_" + std::to_string(seed) + ".glb");
     if (!fs::exists(file)) {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-/// The verbs of `cps`, one file each. Arguments are what follows the verb. They return 0, or 1 where the work was done
-/// and found something wrong (verify); throw boost::program_options::error for wrong usage (exit 2) and
-/// std::runtime_error, one line, for what failed (exit 1).
+/// The verbs of `cps`, one file each. Arguments are what follows the verb. They return 0, or 1 where the work
+/// was done and found something wrong (verify); throw boost::program_options::error for wrong usage (exit 2)
+/// and std::runtime_error, one line, for what failed (exit 1).
 namespace cps {
 
 using Arguments = std::vector<std::string>;

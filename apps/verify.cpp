@@ -15,10 +15,11 @@ int cps_verify(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps verify DATASET\nChecks every file of a finished dataset against its labels, and every label "
-                     "against itself. Exit 1 when something is wrong.\n",
-                     options, positional, values))
+  if (!parse_options(
+          arguments,
+          "cps verify DATASET\nChecks every file of a finished dataset against its labels, and every label "
+          "against itself. Exit 1 when something is wrong.\n",
+          options, positional, values))
     return 0;
   po::notify(values);
   const VerifySummary summary = verify_dataset(values["dataset"].as<std::string>());

@@ -44,10 +44,10 @@ void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const DatasetImage& image
   const Distortion& lens = label.distortion;
   const std::string lines[] = {
       fmt::format("{}  {}", image.file.parent_path().string(), to_string(image.part)),
-      fmt::format("fov {:.2f}°  k1 {:+.3g}  k2 {:+.3g}  k3 {:+.3g}", degrees(hfov_rad(label.camera)), lens.k1, lens.k2,
-                  lens.k3),
-      fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2, label.camera.cx,
-                  label.camera.cy, label.zoom)};
+      fmt::format("fov {:.2f}°  k1 {:+.3g}  k2 {:+.3g}  k3 {:+.3g}", degrees(hfov_rad(label.camera)), lens.k1,
+                  lens.k2, lens.k3),
+      fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2,
+                  label.camera.cx, label.camera.cy, label.zoom)};
   for (const std::string& line : lines) {
     y += text_px + 3;
     OIIO::ImageBufAlgo::render_text(sheet, x, y, line, text_px, "DejaVuSans", {0.92f, 0.92f, 0.92f});
@@ -65,7 +65,9 @@ bool ContactSheetOptions::is_valid(std::string* why) const {
 
 OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& options) {
   const std::vector<Row> rows = choose_rows(dataset, options);
-  const auto label_of = [&](const DatasetImage& image) -> const Label& { return dataset.groups[image.group].label; };
+  const auto label_of = [&](const DatasetImage& image) -> const Label& {
+    return dataset.groups[image.group].label;
+  };
   int height = gap_px;
   std::size_t columns = 1;
   for (const Row& row : rows) {
@@ -84,7 +86,8 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
       const OIIO::ROI tile(0, options.tile_width_px, 0, tile_height, 0, 1, 0, 3);
       const OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(full, "", 0, tile);
       if (full.has_error() || small.has_error())
-        throw std::runtime_error((dataset.root / image->file).string() + ": cannot be read: " + full.geterror());
+        throw std::runtime_error((dataset.root / image->file).string() +
+                                 ": cannot be read: " + full.geterror());
       OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0, small);
       draw_caption(sheet, x, y + tile_height, *image, label_of(*image));
       x += options.tile_width_px + gap_px;

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-/// Reading and writing whole files. Everything the dataset consists of appears by atomic rename: a file under its final
-/// name is complete, whenever the program was killed.
+/// Reading and writing whole files. Everything the dataset consists of appears by atomic rename: a file under
+/// its final name is complete, whenever the program was killed.
 namespace cps {
 
 /// The file's bytes. Throws std::runtime_error naming it.
@@ -15,8 +15,8 @@ std::string read_file(const std::filesystem::path& file);
 /// The file as JSON. Throws std::runtime_error naming file and position.
 nlohmann::json read_json(const std::filesystem::path& file);
 
-/// Writes to a temporary name beside `file`, then renames; makes the folders above it. Throws std::runtime_error naming
-/// file and cause and leaves nothing behind.
+/// Writes to a temporary name beside `file`, then renames; makes the folders above it. Throws
+/// std::runtime_error naming file and cause and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::span<const char> bytes);
 
 /// Indented JSON with a final newline.

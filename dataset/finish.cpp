@@ -19,7 +19,8 @@ constexpr std::array parts = {Part::train, Part::val, Part::test};
 
 Json recipe_json(const Recipe& recipe) {
   Json json;
-  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char*) { json[key] = value_text(value); });
+  for_each_recipe_key(
+      recipe, [&](const char* key, const auto& value, const char*) { json[key] = value_text(value); });
   return json;
 }
 
@@ -35,10 +36,13 @@ Json conditions_json(const Plan& plan) {
 
 }  // namespace
 
-bool is_finished(const std::filesystem::path& root) { return std::filesystem::exists(root / "dataset.json"); }
+bool is_finished(const std::filesystem::path& root) {
+  return std::filesystem::exists(root / "dataset.json");
+}
 
 void finish_dataset(const std::filesystem::path& root, const Plan& plan,
-                    const std::map<std::int64_t, ViewRecord>& records, const std::vector<std::string>& scene_sha256) {
+                    const std::map<std::int64_t, ViewRecord>& records,
+                    const std::vector<std::string>& scene_sha256) {
   std::vector<std::vector<Frame>> frames_of_group(plan.groups.size());
   std::array<std::string, 3> lists, pixel_lines;
   std::array<std::int64_t, 3> counts = {0, 0, 0};
@@ -62,25 +66,27 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     const auto p = static_cast<std::size_t>(part);
     const std::string list = "splits/" + to_string(part) + ".txt";
     write_file(root / list, lists[p]);
-    splits[to_string(part)] = {{"images", counts[p]}, {"list", list}, {"pixels_sha256", sha256(pixel_lines[p])}};
+    splits[to_string(part)] = {
+        {"images", counts[p]}, {"list", list}, {"pixels_sha256", sha256(pixel_lines[p])}};
   }
   for (std::size_t s = 0; s < plan.scenes.size(); ++s)
     scene_list.push_back({{"file", plan.scenes[s].file.filename().string()},
                           {"credits", plan.scenes[s].credits},
                           {"sha256", scene_sha256[s]}});
-  write_json(root / "dataset.json", {{"schema", label_schema},
-                                     {"name", plan.recipe.name},
-                                     {"generator", generator_name()},
-                                     {"seed", plan.recipe.seed},
-                                     {"recipe", recipe_json(plan.recipe)},
-                                     {"scenes", scene_list},
-                                     {"conditions", conditions_json(plan)},
-                                     {"sets", plan.sets.size()},
-                                     {"groups", plan.groups.size()},
-                                     {"views", plan.views.size()},
-                                     {"images", image_count(plan)},
-                                     {"places", {{"drawn", plan.drawn_places}, {"rejected", plan.rejected_places}}},
-                                     {"splits", splits}});
+  write_json(root / "dataset.json",
+             {{"schema", label_schema},
+              {"name", plan.recipe.name},
+              {"generator", generator_name()},
+              {"seed", plan.recipe.seed},
+              {"recipe", recipe_json(plan.recipe)},
+              {"scenes", scene_list},
+              {"conditions", conditions_json(plan)},
+              {"sets", plan.sets.size()},
+              {"groups", plan.groups.size()},
+              {"views", plan.views.size()},
+              {"images", image_count(plan)},
+              {"places", {{"drawn", plan.drawn_places}, {"rejected", plan.rejected_places}}},
+              {"splits", splits}});
 }
 
 }  // namespace cps

@@ -77,7 +77,8 @@ std::vector<FrameRow> read_frames_csv(const std::filesystem::path& file) {
     const std::vector<std::string> fields = csv_fields(line);
     if (fields.size() != header.size())
       throw std::runtime_error(file.string() + ": line " + std::to_string(rows.size() + 2) + ": has " +
-                               std::to_string(fields.size()) + " fields, its header " + std::to_string(header.size()));
+                               std::to_string(fields.size()) + " fields, its header " +
+                               std::to_string(header.size()));
     rows.push_back({fields[name], fields[part], fields[condition], fields[street], fields[hash]});
   }
   return rows;

@@ -8,7 +8,9 @@
 
 namespace cps {
 
-std::string generator_name() { return "cps " CPS_VERSION; }
+std::string generator_name() {
+  return "cps " CPS_VERSION;
+}
 
 Label group_label(const Plan& plan, const PlannedGroup& group) {
   const PlannedSet& set = plan.sets[group.set];
@@ -16,8 +18,10 @@ Label group_label(const Plan& plan, const PlannedGroup& group) {
   const Certificate certificate =
       certify(group.lens.distortion, frame_on_plane(set.master),
               {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue});
-  if (!certificate.valid) throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);
-  const TrueFov true_angles = true_fov(group.lens.distortion, group.lens.crop.camera, frame_on_plane(set.base));
+  if (!certificate.valid)
+    throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);
+  const TrueFov true_angles =
+      true_fov(group.lens.distortion, group.lens.crop.camera, frame_on_plane(set.base));
   Label label{.camera = group.lens.crop.camera,
               .distortion = group.lens.distortion,
               .fov_base_deg = degrees(hfov_rad(set.base)),

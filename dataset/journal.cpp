@@ -16,6 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path job_file(const fs::path& dataset) {
+  return dataset / ".cps" / "job.json";
+}
+
 /// `key = old` → `key = new` of the first line that differs.
 std::string first_difference(const std::string& before, const std::string& now) {
   std::istringstream before_lines(before), now_lines(now);
@@ -26,21 +30,23 @@ std::string first_difference(const std::string& before, const std::string& now) 
 
 }  // namespace
 
-Journal::Journal(const fs::path& dataset, const std::string& fingerprint, const std::string& recipe_text)
-    : file_(dataset / ".cps" / "journal.jsonl") {
-  const fs::path job = dataset / ".cps" / "job.json";
-  if (fs::exists(job)) {
-    const nlohmann::json known = read_json(job);
-    if (known.value("fingerprint", "") != fingerprint)
-      throw std::runtime_error(dataset.string() + ": was begun by another job (" +
-                               first_difference(known.value("recipe", ""), recipe_text) +
-                               "); use the same recipe or another folder");
-    if (fs::exists(file_)) read_lines(dataset);
-  } else {
-    write_json(job, {{"fingerprint", fingerprint}, {"recipe", recipe_text}});
-  }
+void require_same_job(const fs::path& dataset, const Job& job) {
+  if (!fs::exists(job_file(dataset))) return;
+  const nlohmann::json known = read_json(job_file(dataset));
+  if (known.value("fingerprint", "") != job.fingerprint)
+    throw std::runtime_error(dataset.string() + ": was begun by another job (" +
+                             first_difference(known.value("recipe", ""), job.recipe_text) +
+                             "); use the same recipe or another folder");
+}
+
+Journal::Journal(const fs::path& dataset, const Job& job) : file_(dataset / ".cps" / "journal.jsonl") {
+  require_same_job(dataset, job);
+  if (!fs::exists(job_file(dataset)))
+    write_json(job_file(dataset), {{"fingerprint", job.fingerprint}, {"recipe", job.recipe_text}});
+  if (fs::exists(file_)) read_lines(dataset);
   descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw std::runtime_error(file_.string() + ": cannot be opened: " + std::strerror(errno));
+  if (descriptor_ < 0)
+    throw std::runtime_error(file_.string() + ": cannot be opened: " + std::strerror(errno));
 }
 
 Journal::~Journal() {
@@ -63,9 +69,9 @@ void Journal::read_lines(const fs::path& dataset) {
       ++dropped_lines_;
       continue;
     }
-    const bool is_complete = std::all_of(record.images.begin(), record.images.end(), [&](const ImageRecord& image) {
-      return fs::exists(dataset / image.file);
-    });
+    const bool is_complete =
+        std::all_of(record.images.begin(), record.images.end(),
+                    [&](const ImageRecord& image) { return fs::exists(dataset / image.file); });
     if (is_complete) finished_[record.view] = std::move(record);
   }
 }

@@ -8,14 +8,23 @@
 
 namespace cps {
 
-/// The append-only record of finished views, one JSON line each, so that a killed job loses at most the views in flight.
-/// It belongs to one job, known by its fingerprint (of recipe, scenes and program version).
+/// A generation job as its folder knows it.
+struct Job {
+  std::string fingerprint;  ///< of recipe, scenes and program version
+  std::string recipe_text;
+};
+
+/// Throws std::runtime_error when `dataset` holds another job, naming the first recipe line that differs.
+void require_same_job(const std::filesystem::path& dataset, const Job& job);
+
+/// The append-only record of finished views, one JSON line each, so that a killed job loses at most the views
+/// in flight.
 class Journal {
  public:
-  /// Opens or starts the journal in `<dataset>/.cps/`. A last line cut short by a kill is dropped; lines that cannot be
-  /// read are dropped and counted: their views are made again. `recipe_text` is kept beside it.
-  /// Throws std::runtime_error when the folder holds another job, naming the first recipe line that differs.
-  Journal(const std::filesystem::path& dataset, const std::string& fingerprint, const std::string& recipe_text);
+  /// Opens or starts the journal in `<dataset>/.cps/`. A last line cut short by a kill is dropped; lines that
+  /// cannot be read are dropped and counted: their views are made again. Throws as require_same_job does, or
+  /// when it cannot be opened.
+  Journal(const std::filesystem::path& dataset, const Job& job);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;

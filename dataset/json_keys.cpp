@@ -34,7 +34,9 @@ std::string JsonKeys::text(const std::string& key) const {
   return at(key).get<std::string>();
 }
 
-JsonKeys JsonKeys::object(const std::string& key) const { return {at(key), file}; }
+JsonKeys JsonKeys::object(const std::string& key) const {
+  return {at(key), file};
+}
 
 std::vector<double> JsonKeys::numbers(const std::string& key, std::size_t count) const {
   const nlohmann::json& list = at(key);
@@ -59,7 +61,8 @@ Eigen::MatrixXd JsonKeys::matrix(const std::string& key, int rows, int columns) 
       if (is_right) result(r, c) = list[r][c].get<double>();
     }
   }
-  if (!is_right) fail(key, "must be " + std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers");
+  if (!is_right)
+    fail(key, "must be " + std::to_string(rows) + " rows of " + std::to_string(columns) + " numbers");
   return result;
 }
 

@@ -8,7 +8,8 @@
 
 namespace cps {
 
-/// Reads the keys of a JSON object that came from outside. Every function throws std::runtime_error in one line,
+/// Reads the keys of a JSON object that came from outside. Every function throws std::runtime_error in one
+/// line,
 /// `<file>: <key>: <what is wrong>`.
 struct JsonKeys {
   const nlohmann::json& json;

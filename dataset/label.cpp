@@ -23,8 +23,10 @@ Pinhole read_camera(const JsonKeys& reader) {
   const double focal_from_fov = camera.width / (2 * std::tan(radians(reader.number("fov")) / 2));
   if (!(std::abs(camera.fx - focal_from_fov) <= agreement * camera.fx))
     reader.fail("fov", "contradicts K[0][0], which should be width / (2 tan(fov/2))");
-  if (!(std::abs(reader.number("cx") - camera.cx) <= agreement * camera.width)) reader.fail("cx", "contradicts K[0][2]");
-  if (!(std::abs(reader.number("cy") - camera.cy) <= agreement * camera.height)) reader.fail("cy", "contradicts K[1][2]");
+  if (!(std::abs(reader.number("cx") - camera.cx) <= agreement * camera.width))
+    reader.fail("cx", "contradicts K[0][2]");
+  if (!(std::abs(reader.number("cy") - camera.cy) <= agreement * camera.height))
+    reader.fail("cy", "contradicts K[1][2]");
   return camera;
 }
 
@@ -57,7 +59,8 @@ nlohmann::ordered_json to_json(const Label& label) {
           {"cx", camera.cx},
           {"cy", camera.cy},
           {"fov_base_deg", label.fov_base_deg},
-          {"fov_true_deg", {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
+          {"fov_true_deg",
+           {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
           {"crop", {{"zoom", label.zoom}}},
           {"certificate",
            {{"min_eigenvalue", label.certificate_min_eigenvalue},
@@ -72,7 +75,8 @@ nlohmann::ordered_json to_json(const Label& label) {
 Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys reader{json, file};
   if (reader.number("schema") != label_schema)
-    reader.fail("schema", "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
+    reader.fail("schema",
+                "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
   Label label;
   label.camera = read_camera(reader);
   label.distortion = {.k1 = reader.number("k1"),

@@ -13,12 +13,14 @@
 
 namespace cps {
 
-/// Everything one leaf folder's calibration.json says: its images share size, rig camera, base H-FOV and lens.
+/// Everything one leaf folder's calibration.json says: its images share size, rig camera, base H-FOV and
+/// lens.
 struct Label {
   Pinhole camera;  ///< of the final image; fx = fy; hfov_rad(camera) is the label's `fov`
   Distortion distortion;
   double fov_base_deg = 0;  ///< the master's H-FOV, before the crop
-  /// What the distorted image really sees: horizontal and vertical through the principal point, diagonal corner to corner.
+  /// What the distorted image really sees: horizontal and vertical through the principal point, diagonal
+  /// corner to corner.
   double fov_true_h_deg = 0, fov_true_v_deg = 0, fov_true_d_deg = 0;
   double zoom = 1;  ///< of the crop
   double certificate_min_eigenvalue = 0, certificate_max_roundtrip_px = 0;
@@ -39,8 +41,8 @@ inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1",
 
 nlohmann::ordered_json to_json(const Label& label);
 
-/// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of the wrong
-/// type, or contradicts another (K against fov, cx, cy).
+/// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of
+/// the wrong type, or contradicts another (K against fov, cx, cy).
 Label label_from_json(const nlohmann::json& json, const std::string& file);
 
 }  // namespace cps

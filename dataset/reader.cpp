@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> subfolders(const fs::path& folder) {
   std::vector<fs::path> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_directory() && !entry.path().filename().string().starts_with('.')) found.push_back(entry.path());
+    if (entry.is_directory() && !entry.path().filename().string().starts_with('.'))
+      found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
 }

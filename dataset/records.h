@@ -7,7 +7,8 @@
 
 #include "sensor/develop.h"
 
-/// What was found out while making the images and the plan does not know. The journal keeps it until the dataset is finished.
+/// What was found out while making the images and the plan does not know. The journal keeps it until the
+/// dataset is finished.
 namespace cps {
 
 struct ImageRecord {

@@ -60,9 +60,11 @@ class Verifier {
 
   void check_labels() {
     std::vector<LabelCheck> checks(dataset_.groups.size());
-    tbb::parallel_for(std::size_t{0}, checks.size(), [&](std::size_t g) { checks[g] = check_label(dataset_.groups[g].label); });
+    tbb::parallel_for(std::size_t{0}, checks.size(),
+                      [&](std::size_t g) { checks[g] = check_label(dataset_.groups[g].label); });
     for (std::size_t g = 0; g < checks.size(); ++g) {
-      for (const std::string& what : checks[g].faults) fault(dataset_.groups[g].folder / "calibration.json", what);
+      for (const std::string& what : checks[g].faults)
+        fault(dataset_.groups[g].folder / "calibration.json", what);
       summary_.worst_roundtrip_px = std::max(summary_.worst_roundtrip_px, checks[g].worst_roundtrip_px);
       summary_.least_rim_margin_px = std::min(summary_.least_rim_margin_px, checks[g].rim_margin_px);
     }
@@ -92,17 +94,20 @@ class Verifier {
       const auto frame = frames_.find(image.file.string());
       if (!seen.insert(image.file.string()).second) fault(image.file, "stands in the split lists twice");
       if (lens_part != Part::all && lens_part != image.part)
-        fault(image.file, "is listed in " + to_string(image.part) + ", but its lens belongs to " + to_string(lens_part));
+        fault(image.file,
+              "is listed in " + to_string(image.part) + ", but its lens belongs to " + to_string(lens_part));
       if (frame == frames_.end())
         fault(image.file, "is not in frames.csv");
       else if (frame->second.part != to_string(image.part))
-        fault(image.file, "is listed in " + to_string(image.part) + ", but frames.csv says " + frame->second.part);
+        fault(image.file,
+              "is listed in " + to_string(image.part) + ", but frames.csv says " + frame->second.part);
     }
     for (const auto& [file, frame] : frames_)
       if (!seen.contains(file)) fault(file, "stands in no split list");
     const std::int64_t expected = description_.value("images", std::int64_t{-1});
     if (expected != static_cast<std::int64_t>(dataset_.images.size()))
-      fault("dataset.json", fmt::format("images: says {}, the lists hold {}", expected, dataset_.images.size()));
+      fault("dataset.json",
+            fmt::format("images: says {}, the lists hold {}", expected, dataset_.images.size()));
   }
 
   void check_images() {
@@ -121,8 +126,10 @@ class Verifier {
     }
     for (const auto& [part, text] : lines) {
       const auto& splits = description_.value("splits", nlohmann::json::object());
-      const std::string expected = splits.value(to_string(part), nlohmann::json::object()).value("pixels_sha256", "");
-      if (sha256(text) != expected) fault("splits/" + to_string(part) + ".txt", "pixels_sha256 in dataset.json does not match");
+      const std::string expected =
+          splits.value(to_string(part), nlohmann::json::object()).value("pixels_sha256", "");
+      if (sha256(text) != expected)
+        fault("splits/" + to_string(part) + ".txt", "pixels_sha256 in dataset.json does not match");
     }
     summary_.images = static_cast<std::int64_t>(checks.size());
   }
@@ -155,13 +162,15 @@ class Verifier {
 }  // namespace
 
 std::string VerifySummary::brief() const {
-  return fmt::format("{} groups, {} images, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px outside",
-                     groups, images, faults.size(), worst_roundtrip_px, least_rim_margin_px);
+  return fmt::format(
+      "{} groups, {} images, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px outside",
+      groups, images, faults.size(), worst_roundtrip_px, least_rim_margin_px);
 }
 
 VerifySummary verify_dataset(const fs::path& root) {
   if (!fs::exists(root / "dataset.json"))
-    throw std::runtime_error(root.string() + ": has no dataset.json: not a dataset, or not finished; run cps generate");
+    throw std::runtime_error(root.string() +
+                             ": has no dataset.json: not a dataset, or not finished; run cps generate");
   return Verifier(root).run();
 }
 

@@ -11,8 +11,8 @@
 namespace cps {
 namespace {
 
-constexpr int rim_samples = 4096;    ///< per edge of the master
-constexpr int grid_samples = 24;     ///< per axis of the frame
+constexpr int rim_samples = 4096;  ///< per edge of the master
+constexpr int grid_samples = 24;   ///< per axis of the frame
 constexpr double worst_allowed_roundtrip_px = 1e-6;
 constexpr double angle_tolerance_deg = 1e-6;
 
@@ -30,7 +30,8 @@ double rim_margin_px(const Label& label, const Eigen::AlignedBox2d& master) {
     for (const Eigen::Vector2d& ideal :
          {Eigen::Vector2d(along.x(), master.min().y()), Eigen::Vector2d(along.x(), master.max().y()),
           Eigen::Vector2d(master.min().x(), along.y()), Eigen::Vector2d(master.max().x(), along.y())})
-      margin = std::min(margin, outside_px(label.camera, to_pixel(label.camera, distort(label.distortion, ideal))));
+      margin = std::min(margin,
+                        outside_px(label.camera, to_pixel(label.camera, distort(label.distortion, ideal))));
   }
   return margin;
 }
@@ -55,9 +56,11 @@ LabelCheck check_label(const Label& label) {
   const auto fault = [&](bool is_fault, std::string what) {
     if (is_fault) check.faults.push_back(std::move(what));
   };
-  const Pinhole base = pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
+  const Pinhole base =
+      pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
   const Eigen::AlignedBox2d master = frame_on_plane(base);
-  const Certificate certificate = certify(label.distortion, master, {.min_eigenvalue = 1e-3, .max_eigenvalue = 1e3});
+  const Certificate certificate =
+      certify(label.distortion, master, {.min_eigenvalue = 1e-3, .max_eigenvalue = 1e3});
   fault(!certificate.valid, "certificate: not one-to-one on the master: " + certificate.why);
   if (!certificate.valid) return check;
   // The label's certificate covers the padded master, which contains this one.
@@ -70,7 +73,8 @@ LabelCheck check_label(const Label& label) {
   check.worst_roundtrip_px = roundtrip_px(label, master);
   fault(!(check.worst_roundtrip_px <= worst_allowed_roundtrip_px),
         fmt::format("certificate: round trip off by {} px", check.worst_roundtrip_px));
-  fault(std::abs(label.camera.fx / base.fx - label.zoom) > 1e-9 * label.zoom, "crop: zoom contradicts fov and fov_base_deg");
+  fault(std::abs(label.camera.fx / base.fx - label.zoom) > 1e-9 * label.zoom,
+        "crop: zoom contradicts fov and fov_base_deg");
   const TrueFov true_angles = true_fov(label.distortion, label.camera, master);
   fault(!(std::abs(degrees(true_angles.horizontal_rad) - label.fov_true_h_deg) <= angle_tolerance_deg &&
           std::abs(degrees(true_angles.vertical_rad) - label.fov_true_v_deg) <= angle_tolerance_deg &&

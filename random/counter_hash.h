@@ -50,7 +50,8 @@ constexpr double random_uniform(Stream stream, std::uint64_t index, double low, 
 
 /// Uniform integer in [0, count); count > 0.
 constexpr std::uint64_t random_below(Stream stream, std::uint64_t index, std::uint64_t count) {
-  return static_cast<std::uint64_t>((static_cast<unsigned __int128>(random_bits(stream, index)) * count) >> 64);
+  return static_cast<std::uint64_t>((static_cast<unsigned __int128>(random_bits(stream, index)) * count) >>
+                                    64);
 }
 
 /// Standard normal (Box & Muller 1958). Uses two numbers of a stream of its own.

@@ -28,7 +28,8 @@ DrawnLens draw_once(const Pinhole& base, const Eigen::AlignedBox2d& padded_maste
                                           Coefficient::p2};
   for (int which : drawn_order<5>(make_stream(stream.key, "coefficient order"))) {
     const Interval limits = coefficient_limits(lens.distortion, coefficients[which], padded_master, bounds);
-    coefficient(lens.distortion, coefficients[which]) = random_uniform(values, which, limits.low, limits.high);
+    coefficient(lens.distortion, coefficients[which]) =
+        random_uniform(values, which, limits.low, limits.high);
     lens.limits[which] = limits;
   }
   Eigen::Vector2d principal_point(base.cx, base.cy);
@@ -53,12 +54,14 @@ DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_maste
                     const PrincipalPointBounds& principal_point_bounds, Stream stream) {
   std::string why;
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    DrawnLens lens = draw_once(base, padded_master, bounds, principal_point_bounds, substream(stream, attempt));
+    DrawnLens lens =
+        draw_once(base, padded_master, bounds, principal_point_bounds, substream(stream, attempt));
     if (lens.crop.valid) return lens;
     why = lens.crop.why;
   }
-  throw std::runtime_error("no lens within the bounds in " + std::to_string(max_attempts) + " attempts, the last because " +
-                           why + "; widen max-zoom or max-eigenvalue, or lower max-displacement");
+  throw std::runtime_error("no lens within the bounds in " + std::to_string(max_attempts) +
+                           " attempts, the last because " + why +
+                           "; widen max-zoom or max-eigenvalue, or lower max-displacement");
 }
 
 DrawnLens undistorted_lens(const Pinhole& base) {

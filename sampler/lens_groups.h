@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// Adds one set's groups to the plan as its views ask for them: the undistorted one, and `lenses` of its own for every
-/// block of `views_per_lens` views of each part.
+/// Adds one set's groups to the plan as its views ask for them: the undistorted one, and `lenses` of its own
+/// for every block of `views_per_lens` views of each part.
 class SetGroups {
  public:
   SetGroups(Plan& plan, int set);

@@ -6,10 +6,14 @@ namespace cps {
 
 std::string to_string(Part part) {
   switch (part) {
-    case Part::train: return "train";
-    case Part::val: return "val";
-    case Part::test: return "test";
-    case Part::all: break;
+    case Part::train:
+      return "train";
+    case Part::val:
+      return "val";
+    case Part::test:
+      return "test";
+    case Part::all:
+      break;
   }
   return "all";
 }

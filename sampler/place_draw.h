@@ -14,7 +14,8 @@
 
 namespace cps {
 
-/// Where a car may be put in one scene: its lanes, its routes dealt out to the parts, and what stands in the way.
+/// Where a car may be put in one scene: its lanes, its routes dealt out to the parts, and what stands in the
+/// way.
 struct DrivableScene {
   std::vector<Lane> lanes;
   std::vector<Route> routes;
@@ -22,8 +23,10 @@ struct DrivableScene {
   ClearanceQuery clearance;
 };
 
-/// Throws std::runtime_error when the scene (called `name` in the message) has no lanes, or too few streets for three parts.
-DrivableScene drivable_scene(const Scene& scene, const std::string& name, const Recipe& recipe, Stream stream);
+/// Throws std::runtime_error when the scene (called `name` in the message) has no lanes, or too few streets
+/// for three parts.
+DrivableScene drivable_scene(const Scene& scene, const std::string& name, const Recipe& recipe,
+                             Stream stream);
 
 struct DrawnPlace {
   std::string street;
@@ -32,8 +35,8 @@ struct DrawnPlace {
   int attempts = 0;  ///< places drawn until one was clear
 };
 
-/// A place on a route of `part`, uniform along the lanes, with the recipe's deviations, clear in front of the camera.
-/// Throws std::runtime_error when 200 attempts find none.
+/// A place on a route of `part`, uniform along the lanes, with the recipe's deviations, clear in front of the
+/// camera. Throws std::runtime_error when 200 attempts find none.
 DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part part, const Recipe& recipe,
                       Stream stream);
 

@@ -20,8 +20,8 @@ std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) 
       const Stream stream = substream(make_stream(recipe.seed, "condition"), conditions.size());
       conditions.push_back(
           {.scene = scene,
-           .daylight = {.sun_elevation_deg =
-                            random_uniform(stream, 0, recipe.sun_elevation_min_deg, recipe.sun_elevation_max_deg),
+           .daylight = {.sun_elevation_deg = random_uniform(stream, 0, recipe.sun_elevation_min_deg,
+                                                            recipe.sun_elevation_max_deg),
                         .sun_azimuth_deg = random_uniform(stream, 1, 0, 360),
                         .turbidity = random_uniform(stream, 2, recipe.turbidity_min, recipe.turbidity_max)}});
     }
@@ -33,9 +33,10 @@ std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
   for (const ImageSize& size : recipe.sizes)
     for (double hfov_deg : recipe.base_hfov_deg) {
       const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
-      sets.push_back({.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
-                      .base = base,
-                      .master = master_camera(base, WarpOptions{}, recipe.lens_bounds.min_eigenvalue)});
+      sets.push_back(
+          {.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
+           .base = base,
+           .master = master_camera(base, WarpOptions{}, recipe.lens_bounds.min_eigenvalue)});
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
           throw std::runtime_error("recipe: size, base-hfov-deg: two sets would share the folder " +
@@ -54,16 +55,17 @@ void plan_views_of_set(Plan& plan, int set) {
   int rank_in_part[3] = {0, 0, 0};
   for (int index = 0; index < recipe.views; ++index) {
     const Part part = parts[index];
-    plan.views.push_back({.set = set,
-                          .index = index,
-                          .condition = static_cast<int>(static_cast<std::int64_t>(index) *
-                                                        static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
-                          .part = part,
-                          .street = {},
-                          .place = {},
-                          .camera = plan.camera,
-                          .seed = random_bits(set_stream, index),
-                          .groups = groups.groups_for(part, rank_in_part[static_cast<int>(part)]++)});
+    plan.views.push_back(
+        {.set = set,
+         .index = index,
+         .condition = static_cast<int>(static_cast<std::int64_t>(index) *
+                                       static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
+         .part = part,
+         .street = {},
+         .place = {},
+         .camera = plan.camera,
+         .seed = random_bits(set_stream, index),
+         .groups = groups.groups_for(part, rank_in_part[static_cast<int>(part)]++)});
   }
 }
 
@@ -79,7 +81,8 @@ void plan_places(Plan& plan, const std::function<Scene(const std::filesystem::pa
                                                substream(make_stream(plan.recipe.seed, "streets"), s));
     for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
       PlannedView& view = plan.views[v];
-      const DrawnPlace drawn = draw_place(scene, plan.camera, view.part, plan.recipe, make_stream(view.seed, "place"));
+      const DrawnPlace drawn =
+          draw_place(scene, plan.camera, view.part, plan.recipe, make_stream(view.seed, "place"));
       view.street = drawn.street;
       view.place = drawn.place;
       view.camera = drawn.camera;
@@ -97,7 +100,9 @@ std::int64_t image_count(const Plan& plan) {
   return count;
 }
 
-std::string image_name(const PlannedView& view) { return fmt::format("{:06}.png", view.index); }
+std::string image_name(const PlannedView& view) {
+  return fmt::format("{:06}.png", view.index);
+}
 
 Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
                const std::function<Scene(const std::filesystem::path&)>& load) {

@@ -12,8 +12,8 @@
 #include "scenes/rig.h"
 #include "scenes/scene.h"
 
-/// A recipe counted out: every condition, set, group and view, before anything is rendered. The plan is a pure function
-/// of the recipe and the scenes' geometry.
+/// A recipe counted out: every condition, set, group and view, before anything is rendered. The plan is a
+/// pure function of the recipe and the scenes' geometry.
 namespace cps {
 
 struct PlannedScene {
@@ -74,8 +74,8 @@ std::int64_t image_count(const Plan& plan);
 /// `000017.png`
 std::string image_name(const PlannedView& view);
 
-/// Expands a valid recipe. `scene_files` are its scenes and cities as files; `load` imports one (one is held at a time).
-/// Throws std::runtime_error when a scene has too few streets for three parts or no clear places.
+/// Expands a valid recipe. `scene_files` are its scenes and cities as files; `load` imports one (one is held
+/// at a time). Throws std::runtime_error when a scene has too few streets for three parts or no clear places.
 Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
                const std::function<Scene(const std::filesystem::path&)>& load);
 

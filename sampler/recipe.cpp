@@ -12,7 +12,9 @@ namespace po = boost::program_options;
 namespace cps {
 namespace {
 
-bool is_between(double value, double low, double high) { return value >= low && value <= high; }
+bool is_between(double value, double low, double high) {
+  return value >= low && value <= high;
+}
 
 /// The first check that fails gives its reason.
 struct Check {
@@ -34,7 +36,8 @@ bool Recipe::is_valid(std::string* why) const {
       {!name.empty(), "name: must not be empty"},
       {!scenes.empty() || !city_seeds.empty(), "scene, city-seed: name at least one scene or city"},
       {suns >= 1, "suns: must be at least 1"},
-      {is_between(sun_elevation_min_deg, 1, 90) && is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90),
+      {is_between(sun_elevation_min_deg, 1, 90) &&
+           is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90),
        "sun-elevation-min-deg ≤ sun-elevation-max-deg: must lie in [1, 90]"},
       {is_between(turbidity_min, 2, 10) && is_between(turbidity_max, turbidity_min, 10),
        "turbidity-min ≤ turbidity-max: must lie in [2, 10]"},
@@ -45,7 +48,8 @@ bool Recipe::is_valid(std::string* why) const {
        "size: width and height must be at most 8192 pixels"},
       {!base_hfov_deg.empty(), "base-hfov-deg: name at least one"},
       {hfovs_in_range, "base-hfov-deg: must lie in [5, 165]"},
-      {is_between(views, 3, 1'000'000), "views: must lie in [3, 1000000], one for each of train, val and test"},
+      {is_between(views, 3, 1'000'000),
+       "views: must lie in [3, 1000000], one for each of train, val and test"},
       {is_between(camera_height_m, 0.2, 10), "camera-height-m: must lie in [0.2, 10]"},
       {is_between(camera_forward_m, -5, 10), "camera-forward-m: must lie in [-5, 10]"},
       {is_between(mount_error_deg, 0, 30), "mount-error-deg: must lie in [0, 30]"},
@@ -54,7 +58,8 @@ bool Recipe::is_valid(std::string* why) const {
       {is_between(clearance_m, 0, 50), "clearance-m: must lie in [0, 50]"},
       {is_between(lenses, 0, 10'000), "lenses: must lie in [0, 10000]"},
       {views_per_lens >= 0, "views-per-lens: must not be negative"},
-      {is_between(train_share, 0.01, 0.98) && is_between(val_share, 0.01, 0.98) && train_share + val_share <= 0.99,
+      {is_between(train_share, 0.01, 0.98) && is_between(val_share, 0.01, 0.98) &&
+           train_share + val_share <= 0.99,
        "train-share, val-share: each at least 0.01 and 0.01 left for test"},
       {split == "route" || split == "thesis", "split: must be route or thesis"},
       {is_between(samples, 1, 65536), "samples: must lie in [1, 65536]"},

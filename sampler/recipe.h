@@ -10,8 +10,8 @@
 #include "distortion/limits.h"
 #include "sensor/develop.h"
 
-/// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a flag of
-/// `cps generate`, and a flag overrides the file.
+/// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
+/// flag of `cps generate`, and a flag overrides the file.
 namespace cps {
 
 struct ImageSize {
@@ -23,7 +23,7 @@ struct Recipe {
   std::uint64_t seed = 0;
 
   // Conditions: each scene under `suns` drawn suns.
-  std::vector<std::string> scenes;       ///< glTF files with lanes
+  std::vector<std::string> scenes;        ///< glTF files with lanes
   std::vector<std::uint64_t> city_seeds;  ///< procedural cities, made when needed
   int suns = 1;
   double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
@@ -42,8 +42,8 @@ struct Recipe {
   double clearance_m = 2.5;      ///< a place with less free way in front of the camera is drawn again
 
   // Lenses. Each part of the split has its own.
-  int lenses = 0;            ///< distorted images per view
-  int views_per_lens = 0;    ///< after so many views a part draws new lenses; 0: never
+  int lenses = 0;          ///< distorted images per view
+  int views_per_lens = 0;  ///< after so many views a part draws new lenses; 0: never
   LensBounds lens_bounds;
   PrincipalPointBounds principal_point_bounds;
 
@@ -63,7 +63,8 @@ struct Recipe {
 /// Every key as a string-valued option with its help text and default, for files and flags alike.
 boost::program_options::options_description recipe_options();
 
-/// Adds a recipe file's keys to `values`; what is there already (flags) stays. Throws std::runtime_error: file, key, fix.
+/// Adds a recipe file's keys to `values`; what is there already (flags) stays. Throws std::runtime_error:
+/// file, key, fix.
 void store_recipe_file(const std::filesystem::path& file, boost::program_options::variables_map& values);
 
 /// The recipe that these keys make: checked. Throws std::runtime_error: key, value, fix.

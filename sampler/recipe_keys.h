@@ -4,8 +4,8 @@
 
 namespace cps {
 
-/// The one list of recipe keys: calls visit(key, member, help) for each. Reading, writing and help all come from it, so
-/// a key is added here and nowhere else. RecipeT is Recipe or const Recipe.
+/// The one list of recipe keys: calls visit(key, member, help) for each. Reading, writing and help all come
+/// from it, so a key is added here and nowhere else. RecipeT is Recipe or const Recipe.
 template <typename RecipeT, typename Visitor>
 void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("name", r.name, "what the dataset calls itself");
@@ -32,7 +32,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("lenses", r.lenses, "distorted images per view, besides the undistorted one");
   visit("views-per-lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
-  visit("max-displacement", r.lens_bounds.max_displacement, "farthest a lens moves a point, of the half diagonal");
+  visit("max-displacement", r.lens_bounds.max_displacement,
+        "farthest a lens moves a point, of the half diagonal");
   visit("min-eigenvalue", r.lens_bounds.min_eigenvalue, "least local scale of a lens (certified)");
   visit("max-eigenvalue", r.lens_bounds.max_eigenvalue, "largest local scale of a lens (certified)");
   visit("max-tangential", r.lens_bounds.max_tangential, "|(p1, p2)| in units of the half diagonal");

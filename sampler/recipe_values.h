@@ -12,14 +12,17 @@
 /// Recipe values as text and back. Numbers are written with as few digits as read back to the same bits.
 namespace cps {
 
-inline void parse_value(std::string_view text, std::string& value) { value = text; }
+inline void parse_value(std::string_view text, std::string& value) {
+  value = text;
+}
 
 template <typename Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 void parse_value(std::string_view text, Number& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    throw std::runtime_error(std::is_integral_v<Number> ? "is not a whole number in range" : "is not a number");
+    throw std::runtime_error(std::is_integral_v<Number> ? "is not a whole number in range"
+                                                        : "is not a number");
 }
 
 inline void parse_value(std::string_view text, ImageSize& value) {
@@ -41,11 +44,12 @@ void parse_value(std::string_view text, std::vector<T>& values) {
   }
 }
 
-inline std::string value_text(const std::string& value) { return value; }
+inline std::string value_text(const std::string& value) {
+  return value;
+}
 
 template <typename Number>
-  requires std::is_arithmetic_v<Number>
-std::string value_text(Number value) {
+requires std::is_arithmetic_v<Number> std::string value_text(Number value) {
   char digits[64];
   return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }

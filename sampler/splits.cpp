@@ -5,7 +5,8 @@
 
 namespace cps {
 
-std::vector<Part> deal_parts(std::span<const double> weights, double train_share, double val_share, Stream stream) {
+std::vector<Part> deal_parts(std::span<const double> weights, double train_share, double val_share,
+                             Stream stream) {
   std::vector<std::size_t> order(weights.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

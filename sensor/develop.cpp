@@ -12,14 +12,14 @@ namespace {
 
 constexpr double key = 0.18;
 
-/// The linear values at which the rounded 8-bit sRGB code steps up: code(v) = how many thresholds v has reached. A table
-/// search instead of a power per value, and exact.
+/// The linear values at which the rounded 8-bit sRGB code steps up: code(v) = how many thresholds v has
+/// reached. A table search instead of a power per value, and exact.
 std::array<float, 255> srgb_thresholds() {
   std::array<float, 255> thresholds;
   for (int code = 1; code <= 255; ++code) {
     const double encoded = (code - 0.5) / 255.0;
-    thresholds[code - 1] = static_cast<float>(
-        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+    thresholds[code - 1] =
+        static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
   }
   return thresholds;
 }

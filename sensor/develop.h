@@ -7,8 +7,8 @@
 
 #include "random/counter_hash.h"
 
-/// What the sensor does after the lens: exposure, noise, response curve, 8 bit. Never before the warp, so that noise
-/// and quantisation know nothing of the lens.
+/// What the sensor does after the lens: exposure, noise, response curve, 8 bit. Never before the warp, so
+/// that noise and quantisation know nothing of the lens.
 namespace cps {
 
 /// The ranges that each image's sensor is drawn from.
@@ -29,14 +29,15 @@ struct SensorSettings {
 /// The settings of one image: a pure function of `stream`.
 SensorSettings draw_sensor(const SensorOptions& options, Stream stream);
 
-/// The factor that brings a view's mean luminance to 18 % of white, metered on the middle half (in width and height) of
-/// the linear master, so it knows no lens. Bright pixels count at most eight times the median, so that the sun does not
-/// decide. A black image gives 1.
+/// The factor that brings a view's mean luminance to 18 % of white, metered on the middle half (in width and
+/// height) of the linear master, so it knows no lens. Bright pixels count at most eight times the median, so
+/// that the sun does not decide. A black image gives 1.
 double meter_exposure(const OIIO::ImageBuf& linear_master);
 
-/// Linear radiance → 8-bit sRGB (IEC 61966-2-1): scaled by `exposure`·2^bias, shot and read noise as a normal of variance
-/// (signal + read²) electrons per channel and pixel, clipped at white, encoded, rounded. Noise is a pure function of
-/// (noise, pixel, channel). `linear` has three float channels.
-OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings, Stream noise);
+/// Linear radiance → 8-bit sRGB (IEC 61966-2-1): scaled by `exposure`·2^bias, shot and read noise as a normal
+/// of variance (signal + read²) electrons per channel and pixel, clipped at white, encoded, rounded. Noise is
+/// a pure function of (noise, pixel, channel). `linear` has three float channels.
+OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
+                       Stream noise);
 
 }  // namespace cps

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "cps_program.h"
+#include "street_gltf.h"
+
+using namespace cps;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs cps, which must say one line that contains `expected` and exit with `status`.
+void check_refused(const std::string& arguments, int status, const std::string& expected) {
+  const ProgramRun run = run_cps(arguments);
+  INFO("cps " << arguments << "\n" << run.output);
+  CHECK(run.exit_status == status);
+  CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+  CHECK_THAT(run.output, Catch::StartsWith("cps: ") && Catch::Contains(expected));
+}
+
+std::size_t files_in(const fs::path& folder) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) count += entry.is_regular_file();
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("wrong usage exits 2 with one line") {
+  check_refused("fly", 2, "'fly' is not a verb");
+  for (const char* verb : {"city", "render", "generate", "verify", "contact-sheet"})
+    check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
+  check_refused("verify", 2, "dataset");
+  check_refused("generate --out", 2, "out");
+}
+
+TEST_CASE("help is printed for every verb and exits 0") {
+  CHECK(run_cps("help").exit_status == 0);
+  for (const char* verb : {"city", "render", "generate", "verify", "contact-sheet"}) {
+    const ProgramRun run = run_cps("help " + std::string(verb));
+    CHECK(run.exit_status == 0);
+    CHECK_THAT(run.output, Catch::Contains("cps " + std::string(verb)));
+  }
+}
+
+TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave no file") {
+  const fs::path folder = fresh_folder("bad"), scene = write_street_gltf(folder), out = folder / "out";
+  fs::create_directories(out);
+  const std::string o = out.string();
+  const std::string rest = " --size 80x45 --base-hfov-deg 60 --views 3 --samples 1 --out " + o + "/dataset";
+  check_refused("render /nonexistent.glb -o " + o + "/a.png", 1, "/nonexistent.glb");
+  check_refused("generate --recipe /nonexistent.cfg --out " + o + "/dataset", 1, "/nonexistent.cfg");
+  check_refused("generate --scene /nonexistent.glb" + rest, 1, "/nonexistent.glb");
+
+  check_refused("generate --scene " + scene.string() + " --size 80x45 --base-hfov-deg 179 --views 3 --out " +
+                    o + "/dataset",
+                1, "base-hfov-deg");
+  check_refused("generate --scene " + scene.string() + " --size 0x45 --base-hfov-deg 60 --views 3 --out " +
+                    o + "/dataset",
+                1, "size");
+  check_refused("verify /nonexistent", 1, "/nonexistent");
+  check_refused("contact-sheet /nonexistent -o " + o + "/a.png", 1, "/nonexistent");
+
+  write_file(folder / "truncated.glb", std::string("glTF\x02\0\0\0\xff\xff\0\0", 12));
+  check_refused("render " + (folder / "truncated.glb").string() + " -o " + o + "/a.png", 1, "truncated.glb");
+  write_file(folder / "garbage.gltf", std::string("{ \"asset\": "));
+  check_refused("render " + (folder / "garbage.gltf").string() + " -o " + o + "/a.png", 1, "garbage.gltf");
+  CHECK(files_in(out) == 0);
+
+  write_file(folder / "file", std::string("in the way"));
+  const std::string blocked = (folder / "file" / "a.png").string();
+  check_refused("render " + scene.string() + " --size 16x16 --samples 1 -o " + blocked, 1, "a.png");
+  check_refused("city --seed 1 -o " + (folder / "file" / "city.glb").string(), 1, "city.glb");
+  check_refused("generate --scene " + scene.string() + " --size 80x45 --base-hfov-deg 60 --views 3 --out " +
+                    (folder / "file" / "dataset").string(),
+                1, "dataset");
+}

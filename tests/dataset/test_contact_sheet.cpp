@@ -1,0 +1,26 @@
+#include <catch2/catch.hpp>
+
+#include "dataset/contact_sheet.h"
+#include "small_dataset.h"
+
+using namespace cps;
+
+TEST_CASE("a contact sheet shows each set's views at their tiles") {
+  const Plan plan = small_plan();
+  const auto root = fresh_folder("sheet");
+  write_small_dataset(root, plan);
+  const ContactSheetOptions options{.rows_per_set = 1, .columns = 3, .tile_width_px = 64};
+  const OIIO::ImageBuf sheet = contact_sheet(read_dataset(root), options);
+  CHECK(sheet.spec().width == 6 + 3 * (64 + 6));
+  // At its own size a tile is the picture itself: the first view's undistorted image stands top left.
+  OIIO::ImageBuf first((root / plan.groups[0].folder / "000000.png").string());
+  REQUIRE(first.read(0, 0, true, OIIO::TypeDesc::FLOAT));
+  float expected[3], shown[3];
+  for (int x = 0; x < 64; x += 9) {
+    first.getpixel(x, 20, 0, expected, 3);
+    sheet.getpixel(6 + x, 6 + 20, 0, shown, 3);
+    for (int c = 0; c < 3; ++c) CHECK(shown[c] == Approx(expected[c]).margin(0.02));
+  }
+  std::filesystem::remove(root / plan.groups[0].folder / "000000.png");
+  CHECK_THROWS_WITH(contact_sheet(read_dataset(root), options), Catch::Contains("000000.png"));
+}

@@ -1,0 +1,130 @@
+#include <catch2/catch.hpp>
+#include <map>
+#include <set>
+
+#include "plain_scene.h"
+#include "sampler/plan.h"
+
+using namespace cps;
+
+namespace {
+
+Recipe small_recipe() {
+  Recipe recipe;
+  recipe.scenes = {"plain.glb", "plain2.glb"};
+  recipe.suns = 2;
+  recipe.sizes = {{96, 54}, {64, 64}};
+  recipe.base_hfov_deg = {60, 110};
+  recipe.views = 21;
+  recipe.lenses = 2;
+  recipe.views_per_lens = 8;
+  return recipe;
+}
+
+Plan plan_of(const Recipe& recipe) {
+  return make_plan(recipe, {recipe.scenes.begin(), recipe.scenes.end()},
+                   [](const std::filesystem::path&) { return plain_scene(8); });
+}
+
+}  // namespace
+
+TEST_CASE("a plan counts out what its recipe asks for") {
+  const Plan plan = plan_of(small_recipe());
+  CHECK(plan.conditions.size() == 4);
+  REQUIRE(plan.sets.size() == 4);
+  CHECK(plan.sets[0].folder == "96x54_hfov060");
+  CHECK(plan.views.size() == 4 * 21);
+  CHECK(image_count(plan) == 4 * 21 * 3);
+  std::map<int, std::set<int>> indices;
+  int last_condition = 0;
+  for (const PlannedView& view : plan.views) {
+    indices[view.set].insert(view.index);
+    CHECK(view.condition >= last_condition);
+    last_condition = view.condition;
+    CHECK(view.groups.size() == 3);
+  }
+  for (const auto& [set, of_set] : indices) CHECK(of_set.size() == 21);
+}
+
+TEST_CASE("no lens and no street crosses the parts, and each set's parts have their share") {
+  const Plan plan = plan_of(small_recipe());
+  std::map<std::pair<int, std::string>, Part> part_of_street;
+  std::map<std::pair<int, Part>, int> count;
+  for (const PlannedView& view : plan.views) {
+    const int scene = plan.conditions[view.condition].scene;
+    const auto [known, is_new] = part_of_street.try_emplace({scene, view.street}, view.part);
+    CHECK(known->second == view.part);
+    for (int g : view.groups) {
+      CHECK(plan.groups[g].set == view.set);
+      CHECK((plan.groups[g].lens_number == 0 || plan.groups[g].part == view.part));
+    }
+    CHECK(plan.groups[view.groups[0]].lens_number == 0);
+    ++count[{view.set, view.part}];
+  }
+  for (int set = 0; set < 4; ++set) {
+    CHECK(std::abs(count[{set, Part::train}] - 0.7 * 21) <= 1);
+    CHECK(count[{set, Part::val}] >= 2);
+    CHECK(count[{set, Part::test}] >= 2);
+  }
+}
+
+TEST_CASE("lens numbers are unique and lens blocks hold no more views than they may") {
+  const Plan plan = plan_of(small_recipe());
+  std::set<std::string> folders;
+  std::set<int> numbers;
+  for (const PlannedGroup& group : plan.groups) {
+    CHECK(folders.insert(group.folder).second);
+    if (group.lens_number > 0) CHECK(numbers.insert(group.lens_number).second);
+  }
+  std::map<int, int> views_of_group;
+  for (const PlannedView& view : plan.views)
+    for (int g : view.groups) ++views_of_group[g];
+  for (const auto& [g, views] : views_of_group)
+    if (plan.groups[g].lens_number > 0) CHECK(views <= 8);
+}
+
+TEST_CASE("places lie on their street, near the lane, facing along it") {
+  const Recipe recipe = small_recipe();
+  const Plan plan = plan_of(recipe);
+  const Scene scene = plain_scene(8);
+  for (const PlannedView& view : plan.views) {
+    double nearest = 1e9;
+    for (const Lane& lane : scene.lanes)
+      if (lane.street == view.street) {
+        const bool runs_along_x = lane.points[1].x() > lane.points[0].x();
+        const bool faces_along_x = std::cos(view.place.heading_rad) > 0;
+        if (runs_along_x == faces_along_x)
+          nearest = std::min(nearest, std::abs(view.place.position.z() - lane.points[0].z()));
+      }
+    CHECK(nearest < 6 * recipe.lateral_m);
+    CHECK(std::abs(view.place.position.x()) <= 150);
+    CHECK(std::abs(std::sin(view.place.heading_rad)) < std::sin(6 * recipe.heading_deg * 3.1416 / 180));
+  }
+}
+
+TEST_CASE("a plan is the same every time and follows its seed") {
+  const Plan a = plan_of(small_recipe()), b = plan_of(small_recipe());
+  REQUIRE(a.views.size() == b.views.size());
+  for (std::size_t v = 0; v < a.views.size(); ++v) {
+    CHECK(a.views[v].place.position == b.views[v].place.position);
+    CHECK(a.views[v].seed == b.views[v].seed);
+  }
+  for (std::size_t g = 0; g < a.groups.size(); ++g)
+    CHECK(a.groups[g].lens.distortion == b.groups[g].lens.distortion);
+  Recipe other = small_recipe();
+  other.seed = 1;
+  CHECK(plan_of(other).views[0].place.position != a.views[0].place.position);
+}
+
+TEST_CASE("scenes that cannot carry a plan are refused by name") {
+  const Recipe recipe = small_recipe();
+  const auto plan_on = [&](int streets) {
+    return make_plan(recipe, {"plain.glb"},
+                     [&](const std::filesystem::path&) { return plain_scene(streets); });
+  };
+  CHECK_THROWS_WITH(plan_on(0), Catch::Contains("plain.glb") && Catch::Contains("lanes"));
+  CHECK_THROWS_WITH(plan_on(2), Catch::Contains("2 streets") && Catch::Contains("split = thesis"));
+  Recipe doubled = recipe;
+  doubled.base_hfov_deg = {60, 60.2};
+  CHECK_THROWS_WITH(plan_of(doubled), Catch::Contains("96x54_hfov060"));
+}

@@ -1,0 +1,104 @@
+#include <boost/program_options.hpp>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "sampler/recipe.h"
+
+namespace po = boost::program_options;
+using namespace cps;
+
+namespace {
+
+/// Parses recipe text as generate does, after writing it to a file.
+Recipe recipe_of(const std::string& text, const std::vector<std::string>& flags = {}) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cps_test_recipe.cfg";
+  std::ofstream(file) << text;
+  po::variables_map values;
+  po::store(po::command_line_parser(flags).options(recipe_options()).run(), values);
+  store_recipe_file(file, values);
+  return recipe_from(values);
+}
+
+const std::string whole = "scene = a.glb\nsize = 480x270\nbase-hfov-deg = 90\nviews = 10\n";
+
+}  // namespace
+
+TEST_CASE("a recipe file is read, lists and all, and flags override it") {
+  const Recipe recipe = recipe_of(
+      "# a comment\nname = try\nseed = 18446744073709551615\nscene = a.glb, b/c.gltf\ncity-seed = 0, 7\n"
+      "size = 1392x512, 480x270\nbase-hfov-deg = 50, 90.5,130\nviews = 12\nlenses = 3\nmax-zoom = 1.75\n",
+      {"--views", "24"});
+  CHECK(recipe.name == "try");
+  CHECK(recipe.seed == 18446744073709551615ull);
+  CHECK(recipe.scenes == std::vector<std::string>{"a.glb", "b/c.gltf"});
+  CHECK(recipe.city_seeds == std::vector<std::uint64_t>{0, 7});
+  REQUIRE(recipe.sizes.size() == 2);
+  CHECK(recipe.sizes[0].width == 1392);
+  CHECK(recipe.sizes[0].height == 512);
+  CHECK(recipe.base_hfov_deg == std::vector<double>{50, 90.5, 130});
+  CHECK(recipe.views == 24);
+  CHECK(recipe.principal_point_bounds.max_zoom == 1.75);
+}
+
+TEST_CASE("a recipe written out reads back to itself") {
+  Recipe recipe = recipe_of(whole);
+  recipe.sensor.full_well_max_e = 0.1 + 0.2;
+  recipe.lens_bounds.max_displacement = 1.0 / 3.0;
+  recipe.sensor.full_well_min_e = 0.3;
+  recipe.sensor.full_well_max_e = 12345.678;
+  const std::string text = to_text(recipe);
+  CHECK(to_text(recipe_of(text)) == text);
+  CHECK(recipe_of(text).lens_bounds.max_displacement == 1.0 / 3.0);
+}
+
+TEST_CASE("a recipe that cannot be is refused by the key's name") {
+  const auto refusal = [&](const std::string& line) -> std::string {
+    try {
+      recipe_of(line + "\n" + whole);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::pair<const char*, const char*> cases[] = {
+      {"viws = 3", "viws"},
+      {"samples = many", "samples = many: is not a whole number"},
+      {"samples = 0", "samples: must lie in [1, 65536]"},
+      {"lenses = 3.5", "lenses"},
+      {"lenses = -1", "lenses: must lie in"},
+      {"seed = -1", "seed"},
+      {"sun-elevation-min-deg = nan", "sun-elevation"},
+      {"clearance-m = 1e9", "clearance-m"},
+      {"split = random", "split: must be route or thesis"},
+      {"max-displacement = -1", "max-displacement"},
+      {"max-zoom = 0.5", "max-zoom"},
+      {"full-well-min-e = 0", "full-well-min-e"},
+  };
+  for (const auto& [line, expected] : cases) {
+    INFO(line);
+    CHECK_THAT(refusal(line), Catch::Contains(expected));
+    CHECK_THAT(refusal(line), !Catch::Contains("\n"));
+  }
+  CHECK_THROWS_WITH(recipe_of("size = 480x270\nbase-hfov-deg = 90\nviews = 10\n"), Catch::Contains("scene"));
+  CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 480\nbase-hfov-deg = 90\nviews = 10\n"),
+                    Catch::Contains("1392x512"));
+  CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 0x270\nbase-hfov-deg = 90\nviews = 10\n"),
+                    Catch::Contains("size"));
+  CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 48x48\nbase-hfov-deg = 180\nviews = 10\n"),
+                    Catch::Contains("base-hfov-deg"));
+}
+
+TEST_CASE("every recipe we ship is valid once it has a scene") {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CPS_RECIPES)) {
+    po::variables_map values;
+    po::store(
+        po::command_line_parser(std::vector<std::string>{"--scene", "a.glb"}).options(recipe_options()).run(),
+        values);
+    store_recipe_file(entry.path(), values);
+    CHECK_NOTHROW(recipe_from(values));
+    ++found;
+  }
+  CHECK(found >= 2);
+}
