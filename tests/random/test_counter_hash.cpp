@@ -66,7 +66,9 @@ TEST_CASE("integers below a bound cover it evenly") {
   CHECK(chi2 < 22.46);  // χ²(6), p = 0.001
 }
 
+// Datasets made earlier must come out again: these values may only change together with the dataset's schema.
 TEST_CASE("the drawn numbers never change") {
-  CHECK(random_bits(make_stream(0, "lens"), 0) != random_bits(make_stream(0, "lens"), 1));
-  CHECK(random_uniform(make_stream(42, "golden"), 5) == random_uniform(make_stream(42, "golden"), 5));
+  CHECK(random_bits(make_stream(0, "lens"), 0) == 0x8b8c39cbf9b5a0d7ull);
+  CHECK(random_bits(make_stream(1, "lens"), 7) == 0x4a802b64a6c95ed2ull);
+  CHECK(random_bits(substream(make_stream(42, ""), 3), 1) == 0x493f4cd4f5daf063ull);
 }
