@@ -14,7 +14,7 @@
 namespace cps {
 
 /// A scene ready to be traced under one light: BVH, mip pyramids, sky tables. Built once per condition, then read-only.
-class RenderScene;
+struct RenderScene;
 std::shared_ptr<const RenderScene> build_render_scene(const Scene& scene, const Daylight& daylight);
 
 /// An ideal camera in the world. Camera frame: x right, y down, z forward.
@@ -32,7 +32,7 @@ struct RenderOptions {
 
 struct RenderSummary {
   double wall_s = 0, cpu_s = 0;
-  std::uint64_t rays = 0;
+  std::uint64_t samples = 0, rays = 0;
   std::string brief() const;
 };
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/material.h"
+#include "renderer/packed_vertex.h"
+#include "scenes/scene.h"
+
+namespace cps {
+
+/// Triangles of one material as the tracer holds them: in world coordinates, or, if several placements share them, in
+/// the mesh's own.
+struct Geometry {
+  std::vector<PackedVertex> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+  std::vector<Eigen::Vector2f> uv1;                       ///< empty or one per vertex
+  std::vector<Eigen::Array<Eigen::half, 4, 1>> colors;    ///< empty or one per vertex
+  const SurfaceMaterial* material = nullptr;
+
+  /// Base colour's alpha where barycentric (u, v) hits a triangle, on the full image.
+  float alpha(std::uint32_t triangle, float u, float v) const;
+};
+
+/// Geometry put into the world.
+struct Placement {
+  int geometry = 0;
+  bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
+  bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
+  Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
+  Eigen::Matrix3f normal_from_mesh = Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front
+};
+
+struct PlacedGeometry {
+  std::vector<Geometry> geometries;
+  std::vector<Placement> placements;
+};
+
+/// Flattens meshes that are placed once, or are so small that copies trace faster than instances, into world
+/// coordinates; shares the others. Throws std::runtime_error where an index or a number in the scene is off.
+PlacedGeometry place_geometry(const Scene& scene, const Materials& materials);
+
+/// Value at barycentric (u, v) of a triangle whose corners have values a, b, c.
+template <class T>
+T interpolate(const T& a, const T& b, const T& c, float u, float v) {
+  return a * (1.0f - u - v) + b * u + c * v;
+}
+
+}  // namespace cps

@@ -1,0 +1,167 @@
+#include "renderer/path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/surface.h"
+
+namespace cps {
+namespace {
+
+/// Pairs of random numbers that a vertex draws.
+enum VertexPair : std::uint32_t { pair_sun, pair_sky, pair_bsdf, pair_lobe_and_roulette, pairs_per_vertex };
+
+/// Angle by which a bounce widens the footprint for texture lookups: about a quarter of the lobe's width. What a wide
+/// lobe sees is averaged anyway, so only the cost of fine mip levels is at stake.
+constexpr float diffuse_spread = 0.25f;
+
+/// Light on its way from a lamp to a vertex, should nothing stand between.
+struct ShadowRay {
+  Ray ray;
+  Color contribution;
+  bool wanted = false;
+};
+
+/// Power heuristic (Veach 1997, β = 2) for a direction drawn with density `pdf` that another strategy draws with `other`.
+float mis_weight(float pdf, float other) {
+  if (std::isinf(pdf)) return 1.0f;
+  const float ratio = other / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+/// Sky and sun where the path leaves the scene, weighed against next-event estimation at its last vertex.
+Color light_from_beyond(const RenderScene& scene, const Path& path) {
+  const Vec3& direction = path.ray.direction;
+  Color light = scene.sky.radiance(direction) * mis_weight(path.pdf, scene.sky.distribution.pdf(direction));
+  if (scene.sun.covers(direction)) light += scene.sun.radiance * mis_weight(path.pdf, scene.sun.pdf);
+  return light;
+}
+
+/// The light that a vertex would get from `direction`, drawn from a lamp with density `pdf`.
+ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf, const Color& radiance) {
+  ShadowRay shadow;
+  if (surface.geometric_normal.dot(direction) <= 0.0f) return shadow;
+  const BsdfValue bsdf = evaluate_bsdf(surface.bsdf, surface.wo, surface.shading.to_local(direction));
+  if (bsdf.pdf <= 0.0f) return shadow;
+  shadow.ray = surface.leave(direction);
+  shadow.contribution = path.throughput * bsdf.f_cos * radiance * (mis_weight(pdf, bsdf.pdf) / pdf);
+  shadow.wanted = true;
+  return shadow;
+}
+
+ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface, const Eigen::Vector2f& u) {
+  if (!scene.sun.shines()) return {};
+  return shadow_ray(path, surface, scene.sun.sample(u), scene.sun.pdf, scene.sun.radiance);
+}
+
+ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface, const Eigen::Vector2f& u) {
+  const DirectionSample sample = scene.sky.distribution.sample(u);
+  if (surface.geometric_normal.dot(sample.direction) <= 0.0f) return {};
+  return shadow_ray(path, surface, sample.direction, sample.pdf, scene.sky.radiance(sample.direction));
+}
+
+/// Sends the path on in a direction of the BSDF's choice, or ends it.
+void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first_pair) {
+  const Eigen::Vector2f lobe_and_roulette = path.sampler.pair(first_pair + pair_lobe_and_roulette);
+  const BsdfSample sample =
+      sample_bsdf(surface.bsdf, surface.wo, lobe_and_roulette.x(), path.sampler.pair(first_pair + pair_bsdf));
+  const Vec3 direction = surface.shading.to_world(sample.wi);
+  path.alive = sample.pdf > 0.0f && surface.geometric_normal.dot(direction) > 0.0f;
+  if (!path.alive) return;
+  path.throughput *= sample.weight;
+
+  // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the sun).
+  const float survival = std::min(1.0f, std::sqrt(path.throughput.maxCoeff()));
+  if (vertex > 0 && survival < 1.0f) {
+    path.alive = lobe_and_roulette.y() < survival;
+    if (!path.alive) return;
+    path.throughput /= survival;
+  }
+
+  path.ray = surface.leave(direction);
+  path.pdf = sample.pdf;
+  path.cone_spread += sample.specular ? diffuse_spread * surface.bsdf.alpha : diffuse_spread;
+}
+
+/// The nearest surface that shows. glTF hides the backs of single-sided materials from the viewer; light between
+/// surfaces meets them like fronts, so that a wall without a back casts a shadow and lets nothing through.
+Hit first_visible(const RenderScene& scene, const Path& path, Hit hit, std::uint64_t& rays) {
+  Ray ray = path.ray;
+  while (hit && is_culled(scene.placed, ray, hit)) {
+    ray.t_near = hit.t + 1e-5f + 1e-6f * hit.t;
+    hit = scene.bvh.intersect(ray);
+    ++rays;
+  }
+  return hit;
+}
+
+void intersect_all(const RenderScene& scene, const Path (&paths)[packet_size], bool first, Hit (&hits)[packet_size],
+                   std::uint64_t& rays) {
+  if (first) {
+    Ray lanes[packet_size];
+    bool active[packet_size];
+    for (int i = 0; i < packet_size; ++i) lanes[i] = paths[i].ray, active[i] = paths[i].alive;
+    scene.bvh.intersect_coherent(lanes, active, hits);
+  }
+  for (int i = 0; i < packet_size; ++i) {
+    if (!paths[i].alive) continue;
+    ++rays;
+    hits[i] = first ? first_visible(scene, paths[i], hits[i], rays) : scene.bvh.intersect(paths[i].ray);
+  }
+}
+
+void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size], bool coherent,
+                Path (&paths)[packet_size], std::uint64_t& rays) {
+  float transmittance[packet_size];
+  if (coherent) {
+    Ray lanes[packet_size];
+    bool active[packet_size];
+    for (int i = 0; i < packet_size; ++i) lanes[i] = shadows[i].ray, active[i] = shadows[i].wanted;
+    scene.bvh.transmittance_coherent(lanes, active, transmittance);
+  }
+  for (int i = 0; i < packet_size; ++i) {
+    if (!shadows[i].wanted) continue;
+    ++rays;
+    if (!coherent) transmittance[i] = scene.bvh.transmittance(shadows[i].ray);
+    if (transmittance[i] > 0.0f) paths[i].radiance += transmittance[i] * shadows[i].contribution;
+  }
+}
+
+}  // namespace
+
+std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
+  std::uint64_t rays = 0;
+  const auto any_alive = [&] { return std::any_of(std::begin(paths), std::end(paths), [](const Path& p) { return p.alive; }); };
+  for (int vertex = 0; any_alive(); ++vertex) {
+    const bool first = vertex == 0;
+    const std::uint32_t first_pair = pair_first_vertex + pairs_per_vertex * static_cast<std::uint32_t>(vertex);
+    Hit hits[packet_size];
+    intersect_all(scene, paths, first, hits, rays);
+
+    ShadowRay sun_rays[packet_size], sky_rays[packet_size];
+    for (int i = 0; i < packet_size; ++i) {
+      Path& path = paths[i];
+      if (!path.alive) continue;
+      if (!hits[i]) {
+        path.radiance += path.throughput * light_from_beyond(scene, path);
+        path.alive = false;
+        continue;
+      }
+      if (vertex == max_shaded_vertices) {
+        path.alive = false;
+        continue;
+      }
+      path.cone_width += path.cone_spread * hits[i].t;
+      const Surface surface = make_surface(scene.placed, path.ray, hits[i], path.cone_width);
+      path.radiance += path.throughput * surface.emission;
+      sun_rays[i] = towards_sun(scene, path, surface, path.sampler.pair(first_pair + pair_sun));
+      sky_rays[i] = towards_sky(scene, path, surface, path.sampler.pair(first_pair + pair_sky));
+      scatter(path, surface, vertex, first_pair);
+    }
+    gather_all(scene, sun_rays, first, paths, rays);
+    gather_all(scene, sky_rays, false, paths, rays);
+  }
+  return rays;
+}
+
+}  // namespace cps

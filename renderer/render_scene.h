@@ -1,0 +1,22 @@
+#pragma once
+
+#include "renderer/geometry.h"
+#include "renderer/material.h"
+#include "renderer/render.h"
+#include "renderer/sky.h"
+#include "renderer/trace.h"
+
+namespace cps {
+
+/// What a ray may meet, in the order of who points at whom.
+struct RenderScene {
+  RenderScene(const Scene& scene, SkyAndSun light);
+
+  Materials materials;
+  PlacedGeometry placed;
+  Bvh bvh;
+  Sky sky;
+  Sun sun;
+};
+
+}  // namespace cps

@@ -1,0 +1,151 @@
+#include "renderer/trace.h"
+
+#include <tbb/task_arena.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "renderer/alpha_filter.h"
+
+namespace cps {
+namespace {
+
+RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
+  RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.vertices.data(), 0,
+                             sizeof(PackedVertex), geometry.vertices.size());
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(), 0,
+                             sizeof(Eigen::Vector3i), geometry.triangles.size());
+  if (geometry.material->alpha_mode != AlphaMode::opaque) set_alpha_filters(triangles, geometry);
+  rtcCommitGeometry(triangles);
+  return triangles;
+}
+
+RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& placement) {
+  RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(instance, shared);
+  const Eigen::Matrix<float, 3, 4> columns = placement.world_from_mesh.matrix().topRows<3>();
+  rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  rtcCommitGeometry(instance);
+  return instance;
+}
+
+RTCScene new_scene(RTCDevice device) {
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  return scene;
+}
+
+void check(RTCDevice device) {
+  if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
+    throw std::runtime_error(error == RTC_ERROR_OUT_OF_MEMORY ? "ray tracing: out of memory for the BVH"
+                                                              : "ray tracing: Embree error " + std::to_string(error));
+  }
+}
+
+RTCRay to_embree(const Ray& ray) {
+  RTCRay r;
+  r.org_x = ray.origin.x(), r.org_y = ray.origin.y(), r.org_z = ray.origin.z();
+  r.dir_x = ray.direction.x(), r.dir_y = ray.direction.y(), r.dir_z = ray.direction.z();
+  r.tnear = ray.t_near, r.tfar = ray.t_far;
+  r.time = 0, r.mask = ~0u, r.id = ray.id, r.flags = 0;
+  return r;
+}
+
+void set_lane(RTCRay8& rays, int lane, const Ray& ray) {
+  rays.org_x[lane] = ray.origin.x(), rays.org_y[lane] = ray.origin.y(), rays.org_z[lane] = ray.origin.z();
+  rays.dir_x[lane] = ray.direction.x(), rays.dir_y[lane] = ray.direction.y(), rays.dir_z[lane] = ray.direction.z();
+  rays.tnear[lane] = ray.t_near, rays.tfar[lane] = ray.t_far;
+  rays.time[lane] = 0, rays.mask[lane] = ~0u, rays.id[lane] = ray.id, rays.flags[lane] = 0;
+}
+
+}  // namespace
+
+Bvh::Bvh(const PlacedGeometry& placed) : device(rtcNewDevice("isa=avx2")) {
+  if (!device) throw std::runtime_error("ray tracing: Embree found no AVX2 on this machine");
+  tbb::task_arena one_thread(1);
+  one_thread.execute([&] {
+    shared_scenes.resize(placed.geometries.size());
+    scene.reset(new_scene(device.get()));
+    for (std::size_t i = 0; i < placed.placements.size(); ++i) {
+      const Placement& placement = placed.placements[i];
+      const Geometry& geometry = placed.geometries[placement.geometry];
+      SceneHandle& shared = shared_scenes[placement.geometry];
+      if (placement.shared && !shared) {
+        shared.reset(new_scene(device.get()));
+        RTCGeometry triangles = make_triangles(device.get(), geometry);
+        rtcAttachGeometryByID(shared.get(), triangles, 0);
+        rtcReleaseGeometry(triangles);
+        rtcCommitScene(shared.get());
+      }
+      RTCGeometry embree = placement.shared ? make_instance(device.get(), shared.get(), placement)
+                                            : make_triangles(device.get(), geometry);
+      rtcAttachGeometryByID(scene.get(), embree, static_cast<unsigned>(i));
+      rtcReleaseGeometry(embree);
+    }
+    rtcCommitScene(scene.get());
+  });
+  check(device.get());
+}
+
+Hit Bvh::intersect(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query;
+  query.ray = to_embree(ray);
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene.get(), &context, &query);
+  const RTCHit& hit = query.hit;
+  return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v, query.ray.tfar};
+}
+
+void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
+                             Hit (&hits)[packet_size]) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCRayHit8 query;
+  alignas(32) int valid[packet_size];
+  for (int lane = 0; lane < packet_size; ++lane) {
+    valid[lane] = active[lane] ? -1 : 0;
+    set_lane(query.ray, lane, rays[lane]);
+    query.hit.geomID[lane] = query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  }
+  rtcIntersect8(valid, scene.get(), &context, &query);
+  const RTCHit8& hit = query.hit;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    const bool instanced = hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
+    hits[lane] = {instanced ? hit.instID[0][lane] : hit.geomID[lane], hit.primID[lane], hit.u[lane], hit.v[lane],
+                  query.ray.tfar[lane]};
+  }
+}
+
+float Bvh::transmittance(const Ray& ray) const {
+  ShadowContext context;
+  init_shadow_context(context);
+  RTCRay query = to_embree(ray);
+  query.id = 0;
+  rtcOccluded1(scene.get(), &context.embree, &query);
+  return query.tfar < 0.0f ? 0.0f : context.transmittance[0];
+}
+
+void Bvh::transmittance_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
+                                 float (&transmittance)[packet_size]) const {
+  ShadowContext context;
+  init_shadow_context(context);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  RTCRay8 query;
+  alignas(32) int valid[packet_size];
+  for (int lane = 0; lane < packet_size; ++lane) {
+    valid[lane] = active[lane] ? -1 : 0;
+    set_lane(query, lane, rays[lane]);
+    query.id[lane] = static_cast<unsigned>(lane);
+  }
+  rtcOccluded8(valid, scene.get(), &context.embree, &query);
+  for (int lane = 0; lane < packet_size; ++lane) {
+    transmittance[lane] = query.tfar[lane] < 0.0f ? 0.0f : context.transmittance[lane];
+  }
+}
+
+}  // namespace cps
