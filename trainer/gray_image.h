@@ -1,0 +1,46 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace cps {
+
+struct ImageSize {
+  int width = 0, height = 0;
+  auto operator<=>(const ImageSize&) const = default;
+};
+
+/// How large an image the network sees. `factor` divides both sides (the published models use 4); where it is
+/// 0, `width` is the network image's width and the height follows. Images are never enlarged.
+struct Reduction {
+  int width = 240;
+  int factor = 0;
+  bool operator==(const Reduction&) const = default;
+};
+
+ImageSize reduced_size(const ImageSize& original, const Reduction& reduction);
+
+/// One gray image, 8 bit, rows top to bottom without padding.
+struct GrayImage {
+  ImageSize size;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Its pixels somewhere else.
+struct GrayView {
+  ImageSize size;
+  const std::uint8_t* pixels = nullptr;
+};
+
+/// Every output pixel is the mean of the input area it covers, fractions of pixels included. `to` must not be
+/// larger than the image.
+GrayImage area_average(const GrayImage& image, const ImageSize& to);
+
+/// Any image OpenImageIO can read, as gray (Rec. 709 luma), before reduction. Luma and all averaging work on
+/// the encoded values, as the picture's viewers and most networks see them: linear light would spend 8 bits
+/// on highlights. Throws std::runtime_error with one line that starts with the file.
+GrayImage read_gray_image(const std::filesystem::path& file);
+
+}  // namespace cps

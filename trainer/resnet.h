@@ -1,0 +1,25 @@
+#pragma once
+
+#include <torch/nn/module.h>
+#include <torch/types.h>
+
+#include <memory>
+
+#include "trainer/architectures.h"
+
+namespace cps {
+
+/// A network that says eight numbers about each gray image.
+struct Network : torch::nn::Module {
+  /// images: [n, 1, h, w], normalised. sizes: [n, 2], the *original* images' (height/2160, width/3840), which
+  /// tell a reduced image from a small one. Returns [n, 8], standardised targets.
+  virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes) = 0;
+};
+
+/// Deep residual network (He, Zhang, Ren, Sun 2016; stride on the 3×3 convolution of a bottleneck, as in
+/// torchvision) for one gray channel; the two size numbers join the pooled features before the last layer
+/// `fc`. Parameters and buffers carry torchvision's names. Initial weights come from torch's generator: seed
+/// it first. `fc` starts at zero, so an untrained network says the training mean.
+std::shared_ptr<Network> make_resnet(const Architecture& architecture, double dropout);
+
+}  // namespace cps

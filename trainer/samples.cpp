@@ -1,0 +1,61 @@
+#include "trainer/samples.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "random/counter_hash.h"
+#include "trainer/mirror.h"
+
+namespace cps {
+
+std::vector<int> images_of(const Dataset& dataset, Part part) {
+  std::vector<int> images;
+  for (int i = 0; i < static_cast<int>(dataset.images.size()); ++i)
+    if (dataset.images[i].part == part) images.push_back(i);
+  return images;
+}
+
+Samples load_samples(const Dataset& dataset, Part part, TargetSpace space, const Reduction& reduction,
+                     const std::filesystem::path& cache_file) {
+  const std::vector<int> images = images_of(dataset, part);
+  if (images.empty())
+    throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
+                             ": lists no image: make a dataset with more places or routes");
+  Samples samples;
+  for (int i : images) {
+    const DatasetGroup& group = dataset.groups[dataset.images[i].group];
+    const Calibration calibration{group.label.camera, group.label.distortion};
+    samples.targets.push_back(to_outputs(calibration, space));
+    samples.mirrored_targets.push_back(to_outputs(mirrored(calibration), space));
+    if (!std::ranges::all_of(samples.targets.back(), [](double v) { return std::isfinite(v); }))
+      throw std::runtime_error((dataset.root / group.folder / "calibration.json").string() +
+                               ": holds a number that is not finite: make this group again");
+  }
+  samples.cache = load_image_cache(dataset, images, reduction, cache_file);
+  return samples;
+}
+
+std::string dataset_fingerprint(const Dataset& dataset) {
+  std::uint64_t hash = 0;
+  const auto add = [&](std::uint64_t bits) { hash = mix64(hash ^ bits) + 0x9e3779b97f4a7c15ull; };
+  for (const DatasetGroup& group : dataset.groups) {
+    const Pinhole& c = group.label.camera;
+    const Distortion& d = group.label.distortion;
+    for (double v : {static_cast<double>(c.width), static_cast<double>(c.height), c.fx, c.fy, c.cx, c.cy,
+                     d.k1, d.k2, d.k3, d.p1, d.p2})
+      add(std::bit_cast<std::uint64_t>(v));
+  }
+  for (const DatasetImage& image : dataset.images) {
+    for (char c : image.file.generic_string()) add(static_cast<unsigned char>(c));
+    add(static_cast<std::uint64_t>(image.group));
+    add(static_cast<std::uint64_t>(image.part));
+  }
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace cps

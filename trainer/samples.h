@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dataset/reader.h"
+#include "trainer/image_cache.h"
+#include "trainer/targets.h"
+
+namespace cps {
+
+/// Indices into dataset.images of one part, in the split list's order.
+std::vector<int> images_of(const Dataset& dataset, Part part);
+
+/// One part of a dataset, ready to be learned from: entry i of every list belongs to one image. Pixels and
+/// numbers only: no path and no file order gets past here.
+struct Samples {
+  ImageCache cache;
+  std::vector<Outputs> targets;           ///< in the space asked for, not standardised
+  std::vector<Outputs> mirrored_targets;  ///< of the flipped images
+};
+
+/// Throws std::runtime_error with one line when the part is empty, an image is bad, or a label holds a number
+/// that is not finite.
+Samples load_samples(const Dataset& dataset, Part part, TargetSpace space, const Reduction& reduction,
+                     const std::filesystem::path& cache_file);
+
+/// 16 hex digits over the image lists and every label number: the same for the same dataset wherever it lies.
+std::string dataset_fingerprint(const Dataset& dataset);
+
+}  // namespace cps

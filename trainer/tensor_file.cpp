@@ -1,0 +1,37 @@
+#include "trainer/tensor_file.h"
+
+#include <torch/csrc/jit/serialization/pickle.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "trainer/atomic_file.h"
+
+namespace cps {
+
+void save_tensors(const NamedTensors& tensors, const std::filesystem::path& file) {
+  c10::Dict<std::string, torch::Tensor> dictionary;
+  for (const auto& [name, tensor] : tensors) dictionary.insert(name, tensor.detach().contiguous().cpu());
+  const std::vector<char> bytes = torch::jit::pickle_save(dictionary);
+  write_atomically(file, {bytes.data(), bytes.size()});
+}
+
+NamedTensors load_tensors(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw std::runtime_error(file.string() +
+                             ": cannot be opened: train a model first, or name another folder");
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  NamedTensors tensors;
+  try {
+    for (const auto& entry : torch::jit::pickle_load(bytes).toGenericDict())
+      tensors[entry.key().toStringRef()] = entry.value().toTensor();
+  } catch (const std::exception&) {
+    throw std::runtime_error(file.string() +
+                             ": is damaged or no dictionary of tensors: train again or restore it");
+  }
+  return tensors;
+}
+
+}  // namespace cps

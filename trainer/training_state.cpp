@@ -1,0 +1,109 @@
+#include "trainer/training_state.h"
+
+#include <torch/serialize.h>
+
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+
+#include "random/counter_hash.h"
+
+namespace cps {
+namespace {
+
+const std::string network_prefix = "network.";
+
+/// The numbers of an epoch, in the order they are stored.
+std::vector<double> numbers(const EpochReport& r) {
+  return {static_cast<double>(r.epoch),
+          static_cast<double>(r.planned_epochs),
+          r.learning_rate,
+          r.training_loss,
+          r.validation_loss,
+          r.validation_cosine,
+          r.validation_hfov_mae_deg,
+          r.images_per_second,
+          r.seconds_left,
+          static_cast<double>(r.is_best)};
+}
+
+EpochReport report_from(const double* n) {
+  return {
+      static_cast<int>(n[0]), static_cast<int>(n[1]), n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9] != 0};
+}
+
+}  // namespace
+
+TrainingState fresh_training_state(const TrainOptions& options) {
+  torch::manual_seed(mix64(options.seed));
+  TrainingState state;
+  state.network = make_resnet(*find_architecture(options.architecture), options.dropout);
+  state.optimizer = std::make_unique<torch::optim::AdamW>(
+      state.network->parameters(),
+      torch::optim::AdamWOptions(options.learning_rate).weight_decay(options.weight_decay));
+  state.planned_epochs = options.epochs;
+  return state;
+}
+
+NamedTensors weights_of(const Network& network) {
+  NamedTensors weights;
+  for (const auto& parameter : network.named_parameters()) weights[parameter.key()] = parameter.value();
+  for (const auto& buffer : network.named_buffers()) weights[buffer.key()] = buffer.value();
+  return weights;
+}
+
+void set_weights(Network& network, const NamedTensors& weights, const std::filesystem::path& file) {
+  const torch::NoGradGuard no_gradients;
+  const NamedTensors own = weights_of(network);
+  for (const auto& [name, tensor] : own) {
+    const auto found = weights.find(name);
+    if (found == weights.end() || found->second.sizes() != tensor.sizes())
+      throw std::runtime_error(file.string() + ": " + name +
+                               ": missing or of another shape: these weights belong to another architecture");
+    tensor.copy_(found->second);
+  }
+  if (weights.size() != own.size())
+    throw std::runtime_error(
+        file.string() + ": holds tensors this network lacks: the weights belong to another architecture");
+}
+
+void save_training_state(const TrainingState& state, const std::filesystem::path& file) {
+  NamedTensors tensors;
+  for (const auto& [name, tensor] : weights_of(*state.network)) tensors[network_prefix + name] = tensor;
+  std::ostringstream moments;
+  torch::save(*state.optimizer, moments);
+  const std::string bytes = moments.str();
+  tensors["optimizer"] =
+      torch::from_blob(const_cast<char*>(bytes.data()), {static_cast<long>(bytes.size())}, torch::kUInt8);
+  std::vector<double> history{static_cast<double>(state.planned_epochs)};
+  for (const EpochReport& report : state.epochs)
+    for (double number : numbers(report)) history.push_back(number);
+  tensors["history"] = torch::tensor(history, torch::kDouble);
+  save_tensors(tensors, file);
+}
+
+TrainingState load_training_state(const TrainOptions& options, const std::filesystem::path& file) {
+  TrainingState state = fresh_training_state(options);
+  const NamedTensors tensors = load_tensors(file);
+  NamedTensors weights;
+  for (const auto& [name, tensor] : tensors)
+    if (name.starts_with(network_prefix)) weights[name.substr(network_prefix.size())] = tensor;
+  set_weights(*state.network, weights, file);
+  try {
+    const torch::Tensor moments = tensors.at("optimizer"), history = tensors.at("history");
+    std::istringstream bytes(std::string(reinterpret_cast<const char*>(moments.data_ptr<std::uint8_t>()),
+                                         static_cast<std::size_t>(moments.numel())));
+    torch::load(*state.optimizer, bytes);
+    const double* number = history.data_ptr<double>();
+    state.planned_epochs = static_cast<int>(*number++);
+    const std::size_t per_epoch = numbers({}).size();
+    for (std::size_t i = 1; i + per_epoch <= static_cast<std::size_t>(history.numel());
+         i += per_epoch, number += per_epoch)
+      state.epochs.push_back(report_from(number));
+  } catch (const std::exception&) {
+    throw std::runtime_error(file.string() + ": lacks the optimizer's state: train again without --resume");
+  }
+  return state;
+}
+
+}  // namespace cps
