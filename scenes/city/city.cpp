@@ -1,0 +1,108 @@
+#include "scenes/city/city.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "scenes/city/block_plan.h"
+#include "scenes/city/glb_writer.h"
+#include "scenes/city/materials.h"
+#include "scenes/city/road_markings.h"
+#include "scenes/city/road_surface.h"
+#include "scenes/city/street_network.h"
+#include "scenes/city/textures.h"
+
+namespace cps {
+
+using namespace city;
+
+bool CityOptions::is_valid(std::string* why) const {
+  const auto fail = [&](const char* reason) {
+    if (why) *why = reason;
+    return false;
+  };
+  if (!(extent_m >= 300 && extent_m <= 1200)) return fail("extent_m: choose 300 … 1200 metres");
+  if (!(tree_density >= 0 && tree_density <= 3)) return fail("tree_density: choose 0 … 3");
+  if (!(parked_cars >= 0 && parked_cars <= 2)) return fail("parked_cars: choose 0 … 2");
+  return true;
+}
+
+std::string CitySummary::brief() const {
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "%zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu pieces of "
+                "street furniture\n"
+                "%zu lanes, %.1f km in all\n"
+                "%.2f M triangles (%.2f M with instances), %.1f MB",
+                streets, junctions, blocks, buildings, trees, cars, furniture, lanes, lane_km,
+                triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
+  return text;
+}
+
+namespace {
+
+void add_static(GlbWriter& writer, Mesh mesh, const std::string& name) {
+  if (mesh.empty()) return;
+  mesh.name = name;
+  writer.add_node(name, writer.add_mesh(mesh));
+}
+
+nlohmann::ordered_json lanes_as_json(const StreetNetwork& network,
+                                     const std::vector<DrivingLane>& driving_lanes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const DrivingLane& lane : driving_lanes) {
+    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    for (const Vec2& p : lane.points)
+      points.push_back({std::round(p.x() * 1e3) / 1e3, 0.0, std::round(-p.y() * 1e3) / 1e3});
+    list.push_back({{"street", network.streets[lane.street].name},
+                    {"width_m", std::round(lane.width_m * 1e3) / 1e3},
+                    {"points", std::move(points)}});
+  }
+  return list;
+}
+
+}  // namespace
+
+CitySummary write_city(const CityOptions& options, const std::filesystem::path& file) {
+  if (std::string why; !options.is_valid(&why)) throw std::runtime_error("city: " + why);
+  const StreetNetwork network = draw_street_network(options);
+  const CityCharacter character = draw_character(options.seed);
+  GlbWriter writer;
+  const Materials materials = make_materials(writer, options.seed);
+  CitySummary summary;
+
+  for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
+    add_static(writer, carriageway(network, s, materials, options.seed), "street " + network.streets[s].name);
+    add_static(writer, road_markings(network, s, materials, options.seed),
+               "markings " + network.streets[s].name);
+  }
+  for (int j = 0; j < static_cast<int>(network.junctions.size()); ++j)
+    add_static(writer, junction_floor(network, j, materials, options.seed), "junction " + std::to_string(j));
+  for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
+    const BlockPlan plan = plan_block(network, b, character, options.seed);
+    const std::string name = "block " + std::to_string(b);
+    Mesh ground = pavement(network, network.blocks[b], plan.pavement_m, materials, options.seed);
+    add_floor(ground.surfaces[plan.kind == BlockKind::closed ? materials.paving : materials.grass],
+              plan.border.points, kerb_height_m,
+              plan.kind == BlockKind::closed ? paving_tile_m : grass_tile_m);
+    add_static(writer, std::move(ground), name);
+    for (std::size_t k = 0; k < plan.buildings.size(); ++k)
+      add_static(writer,
+                 building(plan.buildings[k], materials,
+                          substream(substream(make_stream(options.seed, "building"), b), k)),
+                 name + " building " + std::to_string(k));
+    summary.buildings += plan.buildings.size();
+  }
+
+  const std::vector<DrivingLane> driving_lanes = lanes(network);
+  for (const DrivingLane& lane : driving_lanes) summary.lane_km += length(lane.points) / 1000;
+  summary.streets = network.streets.size();
+  summary.junctions = network.junctions.size();
+  summary.blocks = network.blocks.size();
+  summary.lanes = driving_lanes.size();
+  summary.triangles = writer.stored_triangles();
+  summary.instanced_triangles = writer.instanced_triangles();
+  summary.bytes = writer.write(file, {{"cps_lanes", lanes_as_json(network, driving_lanes)}});
+  return summary;
+}
+
+}  // namespace cps

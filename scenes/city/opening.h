@@ -1,0 +1,34 @@
+#pragma once
+
+#include "scenes/city/facade.h"
+
+/// What fills the holes in a wall: windows, doors, shop fronts. Measures are metres along the wall, height,
+/// and out of the wall.
+namespace cps::city {
+
+/// A wall's own frame: u along it (to the right, seen from outside), z up, w outwards.
+struct WallFrame {
+  Vec2 origin, along, out;
+  Vec3 point(double u, double z, double w) const { return lift(origin + along * u + out * w, z); }
+};
+
+WallFrame make_wall_frame(const Vec2& from, const Vec2& to);
+
+/// A rectangle of the wall.
+struct Opening {
+  enum class Kind { window, door, shop } kind = Kind::window;
+  double u0, u1, z0, z1;
+};
+
+/// The rectangle at `w` metres out of the wall, facing outwards.
+void add_panel(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w,
+               double tile_m = 1);
+
+/// A bar standing out of the wall from w0 to w1: front and four sides.
+void add_bar(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w0,
+             double w1, double tile_m = 1);
+
+void add_opening(Mesh& mesh, const WallFrame& frame, const Opening& opening, const FacadeStyle& style,
+                 const WallMaterial& wall, bool detailed, const Materials& materials, Draws& draws);
+
+}  // namespace cps::city
