@@ -8,6 +8,13 @@
 
 namespace cps {
 
+/// One image on its way into a batch.
+struct BatchImage {
+  GrayView gray;
+  ImageSize original;
+  bool mirror = false;
+};
+
 /// Indices of the images of one batch; all have the same size.
 using Batch = std::vector<int>;
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "trainer/atomic_file.h"
+#include "dataset/files.h"
 
 namespace cps {
 namespace {
@@ -92,7 +92,7 @@ ImageCache load_image_cache(const Dataset& dataset, std::span<const int> images,
     });
     cache.memory = std::shared_ptr<const std::uint8_t>(bytes, bytes->data());
     if (!file.empty()) {
-      write_atomically(file, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+      write_file(file, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
       if (auto mapped = map_file(file, key, end)) cache.memory = mapped;
     }
   }

@@ -1,9 +1,8 @@
 #include "trainer/model_card.h"
 
-#include <fstream>
 #include <stdexcept>
 
-#include "trainer/atomic_file.h"
+#include "dataset/files.h"
 
 namespace cps {
 namespace {
@@ -27,16 +26,15 @@ void save_model_card(const ModelCard& card, const std::filesystem::path& model_f
         {"validation_images", card.validation_images}}},
       {"epoch", card.epoch},
       {"validation_loss", card.validation_loss}};
-  write_atomically(model_folder / "model.json", json.dump(2) + "\n");
+  write_json(model_folder / "model.json", json);
 }
 
 ModelCard load_model_card(const std::filesystem::path& model_folder) {
   const std::filesystem::path file = model_folder / "model.json";
-  std::ifstream in(file);
-  if (!in)
-    throw std::runtime_error(file.string() + ": cannot be opened: name a folder that cps train has written");
+  if (!std::filesystem::exists(file))
+    throw std::runtime_error(file.string() + ": is missing: name a folder that cps train has written");
+  const nlohmann::json json = read_json(file);
   try {
-    const auto json = nlohmann::json::parse(in);
     if (json.at("schema") != model_schema)
       throw std::runtime_error("schema is not " + std::to_string(model_schema));
     ModelCard card;

@@ -4,17 +4,10 @@
 
 #include <span>
 
-#include "trainer/gray_image.h"
+#include "trainer/batches.h"
 #include "trainer/pixel_statistics.h"
 
 namespace cps {
-
-/// One image on its way into a batch.
-struct BatchImage {
-  GrayView gray;
-  ImageSize original;
-  bool mirror = false;
-};
 
 /// [n, 1, h, w] float, (pixel − mean) / deviation. All images must have one size.
 torch::Tensor image_tensor(std::span<const BatchImage> images, const PixelStatistics& statistics);

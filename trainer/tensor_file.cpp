@@ -2,11 +2,9 @@
 
 #include <torch/csrc/jit/serialization/pickle.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
-#include "trainer/atomic_file.h"
+#include "dataset/files.h"
 
 namespace cps {
 
@@ -14,15 +12,12 @@ void save_tensors(const NamedTensors& tensors, const std::filesystem::path& file
   c10::Dict<std::string, torch::Tensor> dictionary;
   for (const auto& [name, tensor] : tensors) dictionary.insert(name, tensor.detach().contiguous().cpu());
   const std::vector<char> bytes = torch::jit::pickle_save(dictionary);
-  write_atomically(file, {bytes.data(), bytes.size()});
+  write_file(file, bytes);
 }
 
 NamedTensors load_tensors(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw std::runtime_error(file.string() +
-                             ": cannot be opened: train a model first, or name another folder");
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_file(file);
+  const std::vector<char> bytes(text.begin(), text.end());
   NamedTensors tensors;
   try {
     for (const auto& entry : torch::jit::pickle_load(bytes).toGenericDict())

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "dataset/files.h"
 #include "random/counter_hash.h"
-#include "trainer/atomic_file.h"
 #include "trainer/batches.h"
 #include "trainer/inference.h"
 #include "trainer/model_card.h"
@@ -114,7 +114,7 @@ void save_history(const std::vector<EpochReport>& epochs, const fs::path& file) 
                   r.images_per_second);
     csv += line;
   }
-  write_atomically(file, csv);
+  write_file(file, csv);
 }
 
 const EpochReport* best_of(const std::vector<EpochReport>& epochs) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "dataset/files.h"
 #include "distortion/frame_certificate.h"
 #include "distortion/inverse.h"
 #include "random/counter_hash.h"
@@ -104,40 +105,45 @@ Calibration draw_calibration(const ImageSize& size, double hfov_deg, std::uint64
 }
 
 Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatasetOptions& options) {
-  Dataset dataset{root, {}, {}};
-  std::vector<std::uint64_t> places;  // of each image
+  struct Image {
+    Calibration calibration;
+    std::uint64_t place;
+    std::filesystem::path file;
+  };
+  std::vector<Image> images;
   int lens_number = 0, first_place = 0;
   for (auto [part, count] :
        {std::pair{Part::train, options.train_places}, std::pair{Part::val, options.val_places},
         std::pair{Part::test, options.test_places}}) {
-    for (int f = 0; f < options.fields_of_view; ++f) {
-      const double hfov_deg = 35 + 75.0 * (f + .5) / options.fields_of_view;
-      for (int l = 0; l < options.lenses_per_part; ++l) {
-        DatasetGroup group;
-        char folder[64];
-        std::snprintf(folder, sizeof folder, "hfov%03.0f/lens%04d", hfov_deg, ++lens_number);
-        group.folder = folder;
-        const Calibration calibration = draw_calibration(options.size, hfov_deg, l == 0 ? 0 : lens_number);
-        group.label.camera = calibration.camera;
-        group.label.distortion = calibration.distortion;
-        group.label.part = part;
-        std::filesystem::create_directories(root / folder);
-        for (int i = 0; i < count; ++i) {
-          char name[16];
-          std::snprintf(name, sizeof name, "%06d.png", i);
-          dataset.images.push_back({group.folder / name, static_cast<int>(dataset.groups.size()), part});
-          places.push_back(first_place + i + 1000 * f);
+    std::string list;
+    for (const ImageSize& size : options.sizes)
+      for (int f = 0; f < options.fields_of_view; ++f)
+        for (int l = 0; l < options.lenses_per_part; ++l) {
+          const double hfov_deg = 35 + 75.0 * (f + .5) / options.fields_of_view;
+          char folder[64];
+          std::snprintf(folder, sizeof folder, "%dx%d_hfov%03.0f/front_lens%04d", size.width, size.height,
+                        hfov_deg, ++lens_number);
+          const Calibration calibration = draw_calibration(size, hfov_deg, l == 0 ? 0 : lens_number);
+          Label label;
+          label.camera = calibration.camera;
+          label.distortion = calibration.distortion;
+          label.part = part;
+          write_json(root / folder / "calibration.json", to_json(label));
+          for (int i = 0; i < count; ++i) {
+            char name[96];
+            std::snprintf(name, sizeof name, "%s/%06d.png", folder, i);
+            images.push_back(
+                {calibration, static_cast<std::uint64_t>(first_place + i + 1000 * f), root / name});
+            list += std::string(name) + "\n";
+          }
         }
-        dataset.groups.push_back(group);
-      }
-    }
+    write_file(root / "splits" / (to_string(part) + ".txt"), list);
     first_place += count;
   }
-  tbb::parallel_for(std::size_t{0}, dataset.images.size(), [&](std::size_t i) {
-    const Label& label = dataset.groups[dataset.images[i].group].label;
-    write_png(render_street({label.camera, label.distortion}, places[i]), root / dataset.images[i].file);
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
+    write_png(render_street(images[i].calibration, images[i].place), images[i].file);
   });
-  return dataset;
+  return read_dataset(root);
 }
 
 }  // namespace cps

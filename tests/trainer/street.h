@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "dataset/reader.h"
 #include "trainer/gray_image.h"
@@ -19,13 +20,14 @@ GrayImage render_street(const Calibration& calibration, std::uint64_t place);
 Calibration draw_calibration(const ImageSize& size, double hfov_deg, std::uint64_t lens);
 
 struct StreetDatasetOptions {
-  ImageSize size{160, 90};
+  std::vector<ImageSize> sizes{{160, 90}};
   int fields_of_view = 4;  ///< spread evenly over 35…110°
   int lenses_per_part = 2;
   int train_places = 4, val_places = 2, test_places = 2;  ///< per group; no place occurs in two parts
 };
 
-/// A dataset of such streets, its PNGs written below `root`; no place and no lens in two parts.
+/// Writes a dataset of such streets, read back as any other; no place and no lens in two parts. Every size
+/// gets the same number of groups.
 Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatasetOptions& options);
 
 }  // namespace cps

@@ -1,0 +1,91 @@
+#include "trainer/train.h"
+
+#include <iostream>
+#include <sstream>
+
+#include "apps/options.h"
+#include "apps/train/verbs.h"
+#include "trainer/train_presets.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+/// Declares a flag that writes to `value` when it is given, and says in the help what holds when it is not.
+template <typename T>
+void flag(po::options_description& options, const char* name, T& value, const std::string& text) {
+  std::ostringstream shown;
+  shown << text << " [" << value << "]";
+  options.add_options()(name, po::value<T>(&value), shown.str().c_str());
+}
+
+po::options_description training_flags(TrainOptions& o, std::string& target_space) {
+  po::options_description options("How to train (in brackets: without --preset)");
+  flag(options, "arch", o.architecture, "resnet18, resnet34 or resnet50");
+  flag(options, "targets", target_space, "apparent (coefficients scaled by the half diagonal) or raw");
+  flag(options, "width", o.reduction.width, "network image's width, pixels; never enlarged");
+  flag(options, "reduce", o.reduction.factor, "instead: divide both sides by this; 0: by width");
+  flag(options, "epochs", o.epochs, "passes over the training images");
+  flag(options, "batch", o.batch_size, "images per step, of one size");
+  flag(options, "lr", o.learning_rate, "learning rate of AdamW");
+  flag(options, "weight-decay", o.weight_decay, "of AdamW");
+  flag(options, "warm-up", o.warm_up_epochs, "epochs over which the rate rises from 0");
+  flag(options, "decay", o.decay, "the rate's factor at each milestone");
+  flag(options, "dropout", o.dropout, "of the features before the last layer");
+  flag(options, "max-gradient", o.max_gradient, "longer gradients are scaled down to it; 0: never");
+  flag(options, "mirror", o.mirror, "show every second image flipped, with its exact label");
+  flag(options, "seed", o.seed, "of weights, order and flips");
+  flag(options, "threads", o.threads, "0: all cores");
+  flag(options, "minutes", o.minutes, "wall budget: epochs are cut to fit, the schedule with them; 0: none");
+  options.add_options()("milestones", po::value<std::vector<double>>(&o.milestones)->multitoken(),
+                        "fractions of the epochs at which the rate decays [0.6 0.85]");
+  return options;
+}
+
+}  // namespace
+
+int train_verb(const Arguments& arguments) {
+  TrainOptions options;
+  std::string target_space = to_string(options.target_space), data, out;
+  std::string presets;
+  for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
+
+  po::options_description files("What to train");
+  files.add_options()("data", po::value<std::string>(&data)->required(), "the dataset's folder")(
+      "out", po::value<std::string>(&out)->required(), "the model's folder, made if need be")(
+      "preset", po::value<std::string>(), (presets + "the flags below override it").c_str())(
+      "resume", po::bool_switch(), "go on with the model in --out where it stopped, with its own options");
+  const po::options_description how = training_flags(options, target_space);
+  po::options_description all;
+  all.add(files).add(how);
+  po::variables_map values;
+  if (!parse_options(
+          arguments,
+          "cps train --data DATASET --out MODEL\nTrains a network on the train images of a dataset and keeps "
+          "the weights that do best on its val images.\n",
+          all, {}, values))
+    return 0;
+
+  const bool resume = values["resume"].as<bool>();
+  if (resume)
+    for (const auto& [name, value] : values)
+      if (name == "preset" || how.find_nothrow(name, false))
+        throw po::error("--" + name + " cannot be changed by --resume, which goes on as the model began");
+  if (values.count("preset")) options = train_preset(values["preset"].as<std::string>());
+  target_space = to_string(options.target_space);
+  po::notify(values);
+  options.target_space = target_space_from_string(target_space);
+  std::string why;
+  if (!options.is_valid(&why)) throw po::error(why);
+
+  const Dataset dataset = read_dataset(data);
+  const TrainSummary summary = train(dataset, out, options, resume, [](const EpochReport& report) {
+    std::cout << to_string(report) << std::endl;
+    return true;
+  });
+  std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
+  return 0;
+}
+
+}  // namespace cps

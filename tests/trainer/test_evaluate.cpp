@@ -1,0 +1,56 @@
+#include <catch2/catch.hpp>
+
+#include "street.h"
+#include "temporary_folder.h"
+#include "trainer/evaluate.h"
+#include "trainer/predict.h"
+#include "trainer/train.h"
+
+using namespace cps;
+
+TEST_CASE("a trained model is loaded, measured and asked, and says the same each time") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(
+      folder.path / "data",
+      {.sizes = {{96, 54}, {80, 64}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
+  TrainOptions options;
+  options.reduction.width = 48;
+  options.epochs = 2;
+  options.batch_size = 8;
+  train(dataset, folder.path / "model", options, false, {});
+  const Predictor predictor(folder.path / "model");
+
+  const Evaluation evaluation = evaluate(predictor, dataset, Part::test);
+  const std::vector<int> images = images_of(dataset, Part::test);
+  CHECK(evaluation.network.images == static_cast<int>(images.size()));
+
+  // Beside the table: the same errors from single predictions, and the baseline by hand.
+  double hfov_deg = 0, reprojection_px = 0, baseline_deg = 0, mean_rad = 0;
+  const std::vector<int> training = images_of(dataset, Part::train);
+  for (int i : training)
+    mean_rad += hfov_rad(dataset.groups[dataset.images[i].group].label.camera) / training.size();
+  for (int i : images) {
+    const std::vector<std::filesystem::path> file{dataset.root / dataset.images[i].file};
+    const ImagePrediction prediction = predict_images(predictor, file).at(0);
+    const double truth = hfov_rad(dataset.groups[dataset.images[i].group].label.camera);
+    REQUIRE(prediction.truth);
+    CHECK(hfov_rad(prediction.truth->camera) == Approx(truth));
+    REQUIRE(prediction.reprojection_px);
+    hfov_deg += degrees(std::abs(prediction.raw[0] - truth)) / images.size();
+    reprojection_px += *prediction.reprojection_px / images.size();
+    baseline_deg += degrees(std::abs(mean_rad - truth)) / images.size();
+  }
+  CHECK(evaluation.network.hfov_mean_deg == Approx(hfov_deg).epsilon(1e-4));
+  CHECK(evaluation.network.reprojection_mean_px == Approx(reprojection_px).epsilon(1e-3));
+  CHECK(evaluation.training_mean.hfov_mean_deg == Approx(baseline_deg).epsilon(1e-9));
+  CHECK(evaluation.centre.hfov_mean_deg == Approx(baseline_deg).epsilon(1e-9));
+  CHECK(evaluation.centre.raw_mae[1] > 0);
+
+  const Evaluation again = evaluate(Predictor(folder.path / "model"), dataset, Part::test);
+  CHECK(to_json(again).dump() == to_json(evaluation).dump());
+}
+
+TEST_CASE("a folder that is no model is refused in one line") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(Predictor(folder.path), Catch::StartsWith((folder.path / "model.json").string() + ": "));
+}

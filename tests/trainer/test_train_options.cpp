@@ -1,0 +1,45 @@
+#include <catch2/catch.hpp>
+
+#include "trainer/train_options.h"
+#include "trainer/train_presets.h"
+
+using namespace cps;
+
+TEST_CASE("the learning rate rises, holds and steps down") {
+  TrainOptions o;
+  o.learning_rate = 1e-3;
+  o.warm_up_epochs = 2;
+  o.milestones = {.5, .75};
+  o.decay = .1;
+  CHECK(learning_rate_at(o, .5, 20) == Approx(.25e-3));
+  CHECK(learning_rate_at(o, 2, 20) == Approx(1e-3));
+  CHECK(learning_rate_at(o, 9.99, 20) == Approx(1e-3));
+  CHECK(learning_rate_at(o, 10, 20) == Approx(1e-4));
+  CHECK(learning_rate_at(o, 15, 20) == Approx(1e-5));
+  CHECK(learning_rate_at(o, 5, 10) == Approx(1e-4));  // by fraction of the plan
+}
+
+TEST_CASE("options survive JSON, and presets are valid") {
+  std::string why;
+  for (const TrainPreset& preset : train_presets()) {
+    CHECK(preset.options.is_valid(&why));
+    CHECK(train_options_from_json(nlohmann::json::parse(to_json(preset.options).dump())) == preset.options);
+  }
+  CHECK_THROWS_WITH(train_preset("none"), Catch::Contains("demo"));
+}
+
+TEST_CASE("absurd options are refused by name") {
+  const auto refusal = [](auto change) {
+    TrainOptions options;
+    change(options);
+    std::string why;
+    CHECK_FALSE(options.is_valid(&why));
+    return why;
+  };
+  CHECK_THAT(refusal([](TrainOptions& o) { o.architecture = "resnet9"; }), Catch::Contains("resnet18"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.epochs = 0; }), Catch::StartsWith("epochs"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.batch_size = 1; }), Catch::StartsWith("batch"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.learning_rate = -1; }), Catch::StartsWith("lr"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.reduction.width = 3; }), Catch::StartsWith("width"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.milestones = {.5, 1.5}; }), Catch::StartsWith("milestones"));
+}

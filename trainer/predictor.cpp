@@ -1,0 +1,20 @@
+#include "trainer/predictor.h"
+
+#include "trainer/inference.h"
+#include "trainer/training_state.h"
+
+namespace cps {
+
+Predictor::Predictor(const std::filesystem::path& model_folder) : card_(load_model_card(model_folder)) {
+  network_ = make_resnet(*find_architecture(card_.options.architecture), card_.options.dropout);
+  const std::filesystem::path file = model_folder / "weights.pt";
+  set_weights(*network_, load_tensors(file), file);
+}
+
+std::vector<Outputs> Predictor::operator()(std::span<const BatchImage> images) const {
+  std::vector<Outputs> said = run_network(*network_, images, card_.pixels, card_.options.batch_size);
+  for (Outputs& outputs : said) outputs = unstandardise(outputs, card_.targets);
+  return said;
+}
+
+}  // namespace cps

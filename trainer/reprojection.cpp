@@ -1,0 +1,49 @@
+#include "trainer/reprojection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "distortion/frame_certificate.h"
+#include "distortion/inverse.h"
+
+namespace cps {
+namespace {
+
+/// Nothing but one-to-one is asked: any magnification will do that is not zero.
+const CertificateOptions one_to_one{.min_eigenvalue = 1e-6, .max_eigenvalue = 1e6};
+
+}  // namespace
+
+std::optional<RayGrid> ray_grid(const Calibration& truth) {
+  const Pinhole& camera = truth.camera;
+  const FrameCertificate frame = certify_frame(truth.distortion, camera, one_to_one);
+  if (!frame.valid()) return std::nullopt;
+  const int columns = 24,
+            rows = std::max(2, static_cast<int>(std::lround(24.0 * camera.height / camera.width)));
+  RayGrid grid;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const Eigen::Vector2d pixel((c + .5) / columns * camera.width - .5,
+                                  (r + .5) / rows * camera.height - .5);
+      const auto ideal = undistort(truth.distortion, frame.rectangle, to_plane(camera, pixel));
+      if (!ideal) return std::nullopt;
+      grid.pixels.push_back(pixel);
+      grid.ideal.push_back(*ideal);
+    }
+  return grid;
+}
+
+double reprojection_error_px(const RayGrid& truth, const Calibration& prediction) {
+  double sum = 0;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    const Eigen::Vector2d put = to_pixel(prediction.camera, distort(prediction.distortion, truth.ideal[i]));
+    sum += (put - truth.pixels[i]).norm();
+  }
+  return sum / static_cast<double>(truth.pixels.size());
+}
+
+bool is_one_to_one(const Calibration& calibration) {
+  return certify_frame(calibration.distortion, calibration.camera, one_to_one).valid();
+}
+
+}  // namespace cps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "trainer/targets.h"
+
+namespace cps {
+
+/// Pixels spread evenly over an image, and the ideal point on the plane z = 1 that each shows through the
+/// true lens.
+struct RayGrid {
+  std::vector<Eigen::Vector2d> pixels, ideal;
+};
+
+/// About 24 × 24·H/W points at the centres of equal cells. Empty when the lens is not one-to-one in its
+/// frame: then a pixel shows no one point.
+std::optional<RayGrid> ray_grid(const Calibration& truth);
+
+/// Mean distance in pixels between where the truth and where the prediction puts the grid's points. Needs no
+/// inverse of the predicted lens, so a lens that folds is judged like any other.
+double reprojection_error_px(const RayGrid& truth, const Calibration& prediction);
+
+/// Whether every pixel of the frame shows exactly one point.
+bool is_one_to_one(const Calibration& calibration);
+
+}  // namespace cps
