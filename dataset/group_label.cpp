@@ -20,8 +20,9 @@ Label group_label(const Plan& plan, const PlannedGroup& group) {
               {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue});
   if (!certificate.valid)
     throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);
+  // Never empty: the crop keeps the whole frame inside the lens' image of the master.
   const TrueFov true_angles =
-      true_fov(group.lens.distortion, group.lens.crop.camera, frame_on_plane(set.base));
+      *true_fov(group.lens.distortion, group.lens.crop.camera, frame_on_plane(set.base));
   Label label{.camera = group.lens.crop.camera,
               .distortion = group.lens.distortion,
               .fov_base_deg = degrees(hfov_rad(set.base)),

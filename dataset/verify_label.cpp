@@ -75,10 +75,10 @@ LabelCheck check_label(const Label& label) {
         fmt::format("certificate: round trip off by {} px", check.worst_roundtrip_px));
   fault(std::abs(label.camera.fx / base.fx - label.zoom) > 1e-9 * label.zoom,
         "crop: zoom contradicts fov and fov_base_deg");
-  const TrueFov true_angles = true_fov(label.distortion, label.camera, master);
-  fault(!(std::abs(degrees(true_angles.horizontal_rad) - label.fov_true_h_deg) <= angle_tolerance_deg &&
-          std::abs(degrees(true_angles.vertical_rad) - label.fov_true_v_deg) <= angle_tolerance_deg &&
-          std::abs(degrees(true_angles.diagonal_rad) - label.fov_true_d_deg) <= angle_tolerance_deg),
+  const std::optional<TrueFov> true_angles = true_fov(label.distortion, label.camera, master);
+  fault(!(true_angles && std::abs(degrees(true_angles->horizontal_rad) - label.fov_true_h_deg) <= angle_tolerance_deg &&
+          std::abs(degrees(true_angles->vertical_rad) - label.fov_true_v_deg) <= angle_tolerance_deg &&
+          std::abs(degrees(true_angles->diagonal_rad) - label.fov_true_d_deg) <= angle_tolerance_deg),
         "fov_true_deg: contradicts lens and K");
   const Distortion& lens = label.distortion;
   const double values[] = {lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, label.camera.cx, label.camera.cy};
