@@ -15,16 +15,16 @@ struct EnclosedMinimum {
 
 /// When to stop halving an interval.
 struct MinimumSearch {
-  double tolerance = 1e-6;  ///< between `proved` and `attained`; infinite: only the threshold matters
+  double tolerance = 1e-5;  ///< between `proved` and `attained`; infinite: only the threshold matters
   /// The search does not stop while the minimum could lie on either side of this value; and with an infinite
   /// tolerance it stops at the first attained value below it.
   double threshold = -std::numeric_limits<double>::infinity();
 };
 
-/// Smallest value on [low, high] by branch and bound. `lower_bound(a, b)` bounds the function from below on
-/// [a, b] and must not loosen when the interval shrinks; `value(x)` evaluates it. Depth and number of
-/// halvings are limited, so that a bound that does not converge ends the search with a looser `proved`, never
-/// with a wrong one.
+/// Smallest value on [low, high] by branch and bound. `lower_bound(a, b, enough)` bounds the function from
+/// below on [a, b]; it may return the first bound it finds that is at least `enough`. `value(x)` evaluates
+/// the function. Depth and number of halvings are limited, so that a bound that does not converge ends the
+/// search with a looser `proved`, never with a wrong one.
 template <typename LowerBound, typename Value>
 EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& search, LowerBound lower_bound,
                                Value value) {
@@ -32,14 +32,14 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
     double low, high;
     int depth;
   };
-  constexpr int deepest = 48, most_cells = 4096;
+  constexpr int deepest = 48, most_cells = 1024;
   EnclosedMinimum minimum;
   const auto try_value = [&](double x) {
     if (const double v = value(x); v < minimum.attained) minimum.attained = v, minimum.argument = x;
   };
-  const auto is_settled = [&](double bound) {
-    return bound >= minimum.attained - search.tolerance &&
-           (bound >= search.threshold || minimum.attained < search.threshold);
+  const auto enough = [&] {
+    const double tight = minimum.attained - search.tolerance;
+    return minimum.attained < search.threshold ? tight : std::max(tight, search.threshold);
   };
   const bool verdict_only = search.tolerance == std::numeric_limits<double>::infinity();
 
@@ -53,8 +53,8 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
       return minimum;
     }
     const Cell cell = open[--count];
-    const double bound = lower_bound(cell.low, cell.high);
-    if (is_settled(bound) || cell.depth == deepest || ++visited > most_cells) {
+    const double bound = lower_bound(cell.low, cell.high, enough());
+    if (bound >= enough() || cell.depth == deepest || ++visited > most_cells) {
       minimum.proved = std::min(minimum.proved, bound);
       continue;
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "distortion/branch_and_bound.h"
 #include "distortion/polar_lens.h"
@@ -44,17 +45,33 @@ EnclosedMinimum extreme_eigenvalue(const PolarLens& lens, End end, const Minimum
                  a = lens.tangential * r;
     return smallest_on_ring(lens, r, [&](Interval c) { return smallest(g, R, a, c); });
   };
-  const auto on_cell = [&](double r0, double r1) {
-    const Interval g_range = lens.radial_slope.range(r0 * r0, r1 * r1);
-    const Interval R_range = lens.radial.range(r0 * r0, r1 * r1);
-    const double g = end == End::smallest ? g_range.low : -g_range.high;
-    const double R = end == End::smallest ? R_range.low : -R_range.high;
-    // J is affine in a, so its smallest eigenvalue is concave in a: smallest at an end of the cell.
+  const auto on_cell = [&](double r0, double r1, double enough) {
     const double a0 = lens.tangential * r0, a1 = lens.tangential * r1;
-    const auto bound = [&](Interval c) { return std::min(smallest(g, R, a0, c), smallest(g, R, a1, c)); };
-    const double on_disc = bound(every_cosine);
-    return on_disc >= search.threshold && search.tolerance == infinity ? on_disc
-                                                                       : smallest_on_ring(lens, r0, bound);
+    // Coarse: the worst g and R of the cell together. J is affine in a, so its smallest eigenvalue is concave
+    // in a: smallest at an end.
+    const Interval g = lens.radial_slope.range(r0 * r0, r1 * r1), R = lens.radial.range(r0 * r0, r1 * r1);
+    const double worst_g = end == End::smallest ? g.low : -g.high,
+                 worst_R = end == End::smallest ? R.low : -R.high;
+    const auto coarse = [&](Interval c) {
+      return std::min(smallest(worst_g, worst_R, a0, c), smallest(worst_g, worst_R, a1, c));
+    };
+    if (const double on_disc = coarse(every_cosine); on_disc >= enough) return on_disc;
+
+    // Fine: along a ray, J is a convex combination of the matrices formed by the Bernstein coefficients of g,
+    // R and a, and the smallest eigenvalue is concave. Its error falls with the square of the cell's width.
+    std::optional<std::array<Form<6>, 2>> forms;
+    const auto fine = [&](Interval c) {
+      if (!forms) forms = {lens.radial_slope.in_radius(r0, r1), lens.radial.in_radius(r0, r1)};
+      const auto& [g_form, R_form] = *forms;
+      double least = infinity;
+      for (int i = 0; i <= 6; ++i)
+        least = std::min(least, smallest(sign * g_form[i], sign * R_form[i], a0 + (a1 - a0) * i / 6, c));
+      return least;
+    };
+    return smallest_on_ring(lens, r0, [&](Interval c) {
+      const double bound = coarse(c);
+      return bound >= enough ? bound : std::max(bound, fine(c));
+    });
   };
   return smallest_value(0, 1, search, on_cell, on_ring);
 }

@@ -21,7 +21,7 @@ struct CertificateOptions {
 struct Certificate {
   bool valid = false;
   double min_eigenvalue = 0,
-         max_eigenvalue = 0;  ///< proved: every eigenvalue lies between them (tight to 1e-6)
+         max_eigenvalue = 0;  ///< proved: every eigenvalue lies between them (tight to 1e-5)
   double witness_radius =
       0;  ///< on the plane z = 1: where the eigenvalue nearest to refusal, or refused, is attained
   double largest_scale = 0;  ///< the largest t for which t·lens is proved valid; infinite for no distortion

@@ -8,8 +8,8 @@ PolarLens polar_lens(const Distortion& lens, const Eigen::AlignedBox2d& rectangl
   polar.unit = least.cwiseAbs().cwiseMax(most).norm();
 
   const auto [k1, k2, k3, p1, p2] = rescaled(lens, polar.unit);
-  polar.radial = {1, k1, k2, k3};
-  polar.radial_slope = {1, 3 * k1, 5 * k2, 7 * k3};
+  polar.radial = {k1, k2, k3};
+  polar.radial_slope = {3 * k1, 5 * k2, 7 * k3};
   const Eigen::Vector2d q(p2, p1);
   polar.tangential = q.norm();
   // A few dozen roundings of terms no larger than the coefficients, and the cosines' own.

@@ -5,23 +5,33 @@
 #include <array>
 #include <cmath>
 
+#include "distortion/bernstein.h"
 #include "distortion/brown_conrady.h"
 #include "distortion/interval.h"
 
 namespace cps {
 
-/// a + b s + c s² + d s³ with s = r².
+/// 1 + b s + c s² + d s³ with s = r².
 struct RadialCubic {
-  double a, b, c, d;
-  double operator()(double s) const { return a + s * (b + s * (c + s * d)); }
-  double slope(double s) const { return b + s * (2 * c + s * 3 * d); }
+  double b, c, d;
+  double operator()(double s) const { return 1 + s * (b + s * (c + s * d)); }
 
-  /// Encloses the values on [s0, s1]: the range of the Bernstein coefficients (Bernstein 1912; Farouki 2012).
+  /// Encloses the values on [s0, s1] by the Bernstein coefficients in s.
   Interval range(double s0, double s1) const {
+    const auto slope = [&](double s) { return b + s * (2 * c + s * 3 * d); };
     const double third = (s1 - s0) / 3;
     const double b0 = (*this)(s0), b3 = (*this)(s1);
     const double b1 = b0 + third * slope(s0), b2 = b3 - third * slope(s1);
     return {std::min(std::min(b0, b1), std::min(b2, b3)), std::max(std::max(b0, b1), std::max(b2, b3))};
+  }
+
+  /// The Bernstein coefficients in r on [r0, r1].
+  Form<6> in_radius(double r0, double r1) const {
+    const Form<2> s = Form<1>{r0, r1} * Form<1>{r0, r1};
+    const Form<4> s2 = s * s;
+    Form<6> form = sum(sum(sum(binomials<6>, b, s * binomials<4>), c, s2 * binomials<2>), d, s2 * s);
+    for (int i = 0; i <= 6; ++i) form[i] /= binomials<6>[i];
+    return form;
   }
 };
 

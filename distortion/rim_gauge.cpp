@@ -1,46 +1,20 @@
 #include "distortion/rim_gauge.h"
 
 #include <algorithm>
-#include <array>
 
+#include "distortion/bernstein.h"
 #include "distortion/branch_and_bound.h"
 #include "distortion/interval.h"
 
 namespace cps {
 namespace {
 
-/// Homogeneous polynomial in (1−t, t): coefficient i belongs to (1−t)^(n−i) t^i, binomial included. Products
-/// are plain convolutions, and lower degrees are raised by multiplying with ((1−t) + t)^k = 1.
-template <int n>
-using Form = std::array<double, n + 1>;
-
-template <std::size_t n, std::size_t m>
-std::array<double, n + m - 1> operator*(const std::array<double, n>& a, const std::array<double, m>& b) {
-  std::array<double, n + m - 1> product{};
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < m; ++j) product[i + j] += a[i] * b[j];
-  return product;
-}
-
-template <std::size_t n>
-std::array<double, n> sum(const std::array<double, n>& a, double scale, const std::array<double, n>& b) {
-  std::array<double, n> total;
-  for (std::size_t i = 0; i < n; ++i) total[i] = a[i] + scale * b[i];
-  return total;
-}
-
-constexpr Form<2> one2{1, 2, 1};
-constexpr Form<4> one4{1, 4, 6, 4, 1};
-constexpr Form<5> one5{1, 5, 10, 10, 5, 1};
-constexpr Form<6> one6{1, 6, 15, 20, 15, 6, 1};
-constexpr Form<7> one7{1, 7, 21, 35, 35, 21, 7, 1};
-
 /// Encloses a polynomial on [0, 1] by its Bernstein coefficients, widened by what rounding can have moved
 /// them.
 Interval range(const Form<7>& form) {
   double low = form[0], high = form[0], size = 0;
   for (int i = 0; i < 8; ++i) {
-    const double coefficient = form[i] / one7[i];
+    const double coefficient = form[i] / binomials<7>[i];
     low = std::min(low, coefficient);
     high = std::max(high, coefficient);
     size = std::max(size, std::abs(coefficient));
@@ -57,16 +31,17 @@ DistortedSegment distorted_segment(const Distortion& lens, double pu, double pv,
                                    double v) {
   const Form<1> along{u0, u1};
   const Form<2> along_squared = along * along;
-  const Form<2> s = sum(along_squared, v * v, one2);
+  const Form<2> s = sum(along_squared, v * v, binomials<2>);
   const Form<4> s2 = s * s;
   const Form<6> s3 = s2 * s;
-  const Form<6> radial = sum(sum(sum(one6, lens.k1, s * one4), lens.k2, s2 * one2), lens.k3, s3);
+  const Form<6> radial =
+      sum(sum(sum(binomials<6>, lens.k1, s * binomials<4>), lens.k2, s2 * binomials<2>), lens.k3, s3);
   const Form<2> u_tangential =
       sum(sum(Form<2>{}, pu, sum(s, 2, along_squared)), 2 * pv * v, along * Form<1>{1, 1});
   const Form<2> v_tangential =
-      sum(sum(Form<2>{}, pv, sum(s, 2 * v * v, one2)), 2 * pu * v, along * Form<1>{1, 1});
-  return {sum(along * radial, 1, u_tangential * one5),
-          sum(sum(Form<7>{}, v, Form<1>{1, 1} * radial), 1, v_tangential * one5)};
+      sum(sum(Form<2>{}, pv, sum(s, 2 * v * v, binomials<2>)), 2 * pu * v, along * Form<1>{1, 1});
+  return {sum(along * radial, 1, u_tangential * binomials<5>),
+          sum(sum(Form<7>{}, v, Form<1>{1, 1} * radial), 1, v_tangential * binomials<5>)};
 }
 
 }  // namespace
@@ -80,7 +55,7 @@ double smallest_rim_gauge(const Distortion& lens, const Eigen::AlignedBox2d& rec
       return gauge(frame,
                    distort(lens, is_horizontal ? Eigen::Vector2d(t, fixed) : Eigen::Vector2d(fixed, t)));
     };
-    const auto bound = [&](double t0, double t1) {
+    const auto bound = [&](double t0, double t1, double) {
       const double pu = is_horizontal ? lens.p2 : lens.p1, pv = is_horizontal ? lens.p1 : lens.p2;
       const DistortedSegment segment = distorted_segment(lens, pu, pv, t0, t1, fixed);
       const Interval x = range(is_horizontal ? segment.u : segment.v),

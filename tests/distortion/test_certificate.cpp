@@ -86,8 +86,8 @@ TEST_CASE("certificate against dense search, 100,000 lenses", "[slow]") {
 TEST_CASE("closed forms: one coefficient at a time") {
   const Eigen::AlignedBox2d box(Eigen::Vector2d(-0.8, -0.6), Eigen::Vector2d(0.8, 0.6));  // corner radius 1
   const Certificate barrel = certify({.k1 = -0.2}, box);
-  CHECK(barrel.min_eigenvalue == Approx(0.4).margin(2e-6));  // g(1) = 1 + 3 k1
-  CHECK(barrel.max_eigenvalue == Approx(1.0).margin(2e-6));
+  CHECK(barrel.min_eigenvalue == Approx(0.4).margin(2e-5));  // g(1) = 1 + 3 k1
+  CHECK(barrel.max_eigenvalue == Approx(1.0).margin(2e-5));
   CHECK(barrel.witness_radius == Approx(1).margin(1e-6));
   CHECK(barrel.largest_scale == Approx(0.85 / 0.6).margin(1e-5));
   const Certificate none = certify({}, box);
@@ -96,8 +96,8 @@ TEST_CASE("closed forms: one coefficient at a time") {
   CHECK(none.largest_scale > 1e6);
   // p1 alone: J = I + 2 p1 [[y, x], [x, 3y]] has eigenvalues 1 + 2 p1 (2y ± r), least at the corners.
   const Certificate tangential = certify({.p1 = 0.1}, box);
-  CHECK(tangential.min_eigenvalue == Approx(1 - 0.2 * (1.2 + 1)).margin(2e-6));
-  CHECK(tangential.max_eigenvalue == Approx(1 + 0.2 * (1.2 + 1)).margin(2e-6));
+  CHECK(tangential.min_eigenvalue == Approx(1 - 0.2 * (1.2 + 1)).margin(2e-5));
+  CHECK(tangential.max_eigenvalue == Approx(1 + 0.2 * (1.2 + 1)).margin(2e-5));
 }
 
 TEST_CASE("the largest scale is where the scaled lens stops being certified") {
