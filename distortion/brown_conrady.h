@@ -13,10 +13,30 @@ struct Distortion {
 
 /// Distorted point of an ideal point, both on the plane z = 1 (x right, y down):
 /// x_d = x(1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2x²), y_d likewise with p1 and p2 swapped.
-Eigen::Vector2d distort(const Distortion& lens, const Eigen::Vector2d& ideal);
+inline Eigen::Vector2d distort(const Distortion& lens, const Eigen::Vector2d& ideal) {
+  const double x = ideal.x(), y = ideal.y(), s = x * x + y * y;
+  const double radial = 1 + s * (lens.k1 + s * (lens.k2 + s * lens.k3));
+  const double pull = 2 * (lens.p2 * x + lens.p1 * y);
+  return {x * (radial + pull) + lens.p2 * s, y * (radial + pull) + lens.p1 * s};
+}
 
 /// Jacobian ∂distorted/∂ideal. Symmetric, because the map is the gradient of
 /// Φ = r²/2 + k1 r⁴/4 + k2 r⁶/6 + k3 r⁸/8 + (p2 x + p1 y) r².
-Eigen::Matrix2d distortion_jacobian(const Distortion& lens, const Eigen::Vector2d& ideal);
+inline Eigen::Matrix2d distortion_jacobian(const Distortion& lens, const Eigen::Vector2d& ideal) {
+  const double x = ideal.x(), y = ideal.y(), s = x * x + y * y;
+  const double diagonal = 1 + s * (lens.k1 + s * (lens.k2 + s * lens.k3)) + 2 * (lens.p2 * x + lens.p1 * y);
+  const double slope = 2 * (lens.k1 + s * (2 * lens.k2 + s * 3 * lens.k3));  // 2 dR/ds
+  const double xy = slope * x * y + 2 * (lens.p2 * y + lens.p1 * x);
+  Eigen::Matrix2d jacobian;
+  jacobian << diagonal + x * (slope * x + 4 * lens.p2), xy, xy, diagonal + y * (slope * y + 4 * lens.p1);
+  return jacobian;
+}
+
+/// The same lens in coordinates divided by `unit`: k_i · unit^(2i), p_i · unit. With the half diagonal of the
+/// frame as the unit, coefficients mean the same at every field of view; 1/unit undoes it.
+inline Distortion rescaled(const Distortion& lens, double unit) {
+  const double s = unit * unit;
+  return {lens.k1 * s, lens.k2 * s * s, lens.k3 * s * s * s, lens.p1 * unit, lens.p2 * unit};
+}
 
 }  // namespace cps

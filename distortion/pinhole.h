@@ -13,7 +13,8 @@ struct Pinhole {
   bool operator==(const Pinhole&) const = default;
 };
 
-/// Square-pixelled camera with a centred principal point ((W−1)/2, (H−1)/2) and this horizontal field of view.
+/// Square-pixelled camera with a centred principal point ((W−1)/2, (H−1)/2) and this horizontal field of
+/// view.
 Pinhole pinhole_from_hfov(int width, int height, double hfov_rad);
 
 /// The label's H-FOV, 2·atan(W / 2fx), radians.

@@ -1,0 +1,76 @@
+#include "distortion/frame_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "distortion/rim_gauge.h"
+
+namespace cps {
+namespace {
+
+Eigen::AlignedBox2d scaled_box(const Eigen::AlignedBox2d& box, double scale) {
+  return {scale * box.min(), scale * box.max()};
+}
+
+bool contains_principal_point(const Eigen::AlignedBox2d& box) {
+  return (box.min().array() < 0).all() && (box.max().array() > 0).all();
+}
+
+FrameCertificate refused(FrameCertificate result, const std::string& why) {
+  result.why = why;
+  return result;
+}
+
+}  // namespace
+
+FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
+                               const CertificateOptions& options) {
+  return certify_frame(lens, camera, frame_on_plane(camera), options);
+}
+
+FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
+                               const Eigen::AlignedBox2d& shape, const CertificateOptions& options) {
+  FrameCertificate result;
+  if (camera.width <= 0 || camera.height <= 0) return refused(result, "width, height: must be positive");
+  if (!(camera.fx > 0 && camera.fy > 0 && std::isfinite(camera.fx) && std::isfinite(camera.fy)))
+    return refused(result, "fx, fy: must be positive and finite");
+  const Eigen::AlignedBox2d frame = frame_on_plane(camera);
+  if (!contains_principal_point(frame) || !contains_principal_point(shape))
+    return refused(result, "cx, cy: the principal point lies outside the image");
+
+  const auto gauge_at = [&](double scale) {
+    return smallest_rim_gauge(lens, scaled_box(shape, scale), frame);
+  };
+  // Outward from a rectangle that is too small for any lens worth the name, for as long as the lens does not
+  // fold.
+  constexpr double step = 1.02, first = 0.2;
+  constexpr CertificateOptions one_to_one{1e-6, 1e6};
+  double outside = first, reach = 0;
+  while (reach < 1) {
+    const Eigen::AlignedBox2d box = scaled_box(shape, outside);
+    if (!is_certified(lens, box, one_to_one)) break;
+    reach = std::max(reach, gauge_at(outside));
+    if (reach < 1) outside *= step;
+  }
+  if (reach < 1) {
+    char line[128];
+    std::snprintf(line, sizeof line,
+                  "the lens folds before its image covers the frame: it reaches %.2f %% of the way",
+                  100 * reach);
+    result.rectangle = scaled_box(shape, outside);
+    result.certificate = certify(lens, result.rectangle, options);
+    return refused(result, std::string(line) + "; " + result.certificate.why);
+  }
+  double inside = outside == first ? 0 : outside / step;
+  while (outside - inside > 1e-9 * outside) {
+    const double middle = 0.5 * (inside + outside);
+    (gauge_at(middle) >= 1 ? outside : inside) = middle;
+  }
+  result.rectangle = scaled_box(shape, outside);
+  result.certificate = certify(lens, result.rectangle, options);
+  result.why = result.certificate.why;
+  return result;
+}
+
+}  // namespace cps

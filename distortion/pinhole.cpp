@@ -1,0 +1,46 @@
+#include "distortion/pinhole.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace cps {
+
+Pinhole pinhole_from_hfov(int width, int height, double hfov_rad) {
+  const double focal = 0.5 * width / std::tan(0.5 * hfov_rad);
+  return {width, height, focal, focal, 0.5 * (width - 1), 0.5 * (height - 1)};
+}
+
+double hfov_rad(const Pinhole& camera) {
+  return 2 * std::atan(0.5 * camera.width / camera.fx);
+}
+
+Pinhole oversampled(const Pinhole& camera, int oversampling, int pad) {
+  const auto moved = [&](double c) { return oversampling * (c + 0.5) - 0.5 + pad; };
+  return {oversampling * camera.width + 2 * pad,
+          oversampling * camera.height + 2 * pad,
+          oversampling * camera.fx,
+          oversampling * camera.fy,
+          moved(camera.cx),
+          moved(camera.cy)};
+}
+
+Eigen::Vector2d to_plane(const Pinhole& camera, const Eigen::Vector2d& pixel) {
+  return {(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
+}
+
+Eigen::Vector2d to_pixel(const Pinhole& camera, const Eigen::Vector2d& on_plane) {
+  return {camera.fx * on_plane.x() + camera.cx, camera.fy * on_plane.y() + camera.cy};
+}
+
+Eigen::AlignedBox2d frame_on_plane(const Pinhole& camera) {
+  return {to_plane(camera, {-0.5, -0.5}), to_plane(camera, {camera.width - 0.5, camera.height - 0.5})};
+}
+
+double degrees(double radians) {
+  return radians * (180 / std::numbers::pi);
+}
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180);
+}
+
+}  // namespace cps
