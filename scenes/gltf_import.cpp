@@ -4,6 +4,7 @@
 #include <new>
 
 #include "scenes/gltf/container.h"
+#include "scenes/gltf/extensions.h"
 #include "scenes/gltf/lanes.h"
 #include "scenes/gltf/meshes.h"
 #include "scenes/gltf/nodes.h"
@@ -62,6 +63,7 @@ Scene make_scene(Document& document) {
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);
   scene.lanes = read_lanes(document, index);
+  warn_of_unread_extensions(document);
   if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
   return scene;
 }

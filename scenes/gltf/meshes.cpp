@@ -19,22 +19,19 @@ struct PrimitiveReader {
   std::size_t vertex_count;  ///< before unused ones were dropped
 };
 
-/// The accessor of an attribute, −1 without one; it must have as many elements as POSITION.
-int attribute(PrimitiveReader& reader, const char* name) {
-  const auto found = reader.primitive.attributes.find(name);
-  if (found == reader.primitive.attributes.end()) return -1;
-  const std::size_t count = elements(reader.document, found->second, reader.where + "." + name).count;
-  if (count != reader.vertex_count)
-    refuse(reader.document, reader.where + "." + name,
-           "has " + std::to_string(count) + " elements, POSITION has " + std::to_string(reader.vertex_count));
-  return found->second;
-}
-
+/// An attribute's vectors for the mesh's vertices, empty without it; it must have as many elements as
+/// POSITION.
 template <int N>
 std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, const char* name) {
-  const int accessor = attribute(reader, name);
-  if (accessor == -1) return {};
-  return read_vectors<N>(reader.document, accessor, reader.where + "." + name, reader.vertices);
+  const auto found = reader.primitive.attributes.find(name);
+  if (found == reader.primitive.attributes.end()) return {};
+  const std::string where = reader.where + "." + name;
+  const Elements from = elements(reader.document, found->second, where);
+  if (from.count != reader.vertex_count)
+    refuse(reader.document, where,
+           "has " + std::to_string(from.count) + " elements, POSITION has " +
+               std::to_string(reader.vertex_count));
+  return read_vectors<N>(reader.document, from, where, reader.vertices);
 }
 
 template <int N>
@@ -49,9 +46,11 @@ std::vector<Eigen::Matrix<float, N, 1>> read_finite_attribute(PrimitiveReader& r
 
 /// RGB or RGBA; linear already.
 std::vector<Eigen::Vector4f> read_colors(PrimitiveReader& reader) {
-  const int accessor = attribute(reader, "COLOR_0");
-  if (accessor == -1) return {};
-  const tinygltf::Accessor& colors = reader.document.model.accessors[accessor];
+  const std::vector<tinygltf::Accessor>& accessors = reader.document.model.accessors;
+  const auto found = reader.primitive.attributes.find("COLOR_0");
+  if (found == reader.primitive.attributes.end() || !in_range(found->second, accessors))
+    return read_attribute<4>(reader, "COLOR_0");
+  const tinygltf::Accessor& colors = accessors[found->second];
   if (colors.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !colors.normalized)
     refuse(reader.document, reader.where + ".COLOR_0", "integer colours must be normalized");
   if (colors.type != TINYGLTF_TYPE_VEC3) return read_finite_attribute<4>(reader, "COLOR_0");
