@@ -103,12 +103,15 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
     warn(reader.document,
          reader.where + ".NORMAL: " + std::to_string(repaired) + " without direction, made anew");
   }
-  if (!has_valid_tangents(mesh)) {
+  if (material.normal_texture.texture == -1) {
+    mesh.tangents.clear();  // of no use
+    return;
+  }
+  if (!normalize_tangents(mesh)) {
     warn(reader.document, reader.where + ".TANGENT: not valid, made anew");
     mesh.tangents.clear();
   }
-  if (material.normal_texture.texture != -1 && mesh.tangents.empty())
-    make_tangents(mesh, material.normal_texture);
+  if (mesh.tangents.empty()) make_tangents(mesh, material.normal_texture);
 }
 
 /// Bends the mesh to its joints; without JOINTS_0 and WEIGHTS_0 it stays as it is.
