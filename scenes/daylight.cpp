@@ -2,15 +2,18 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace cps {
 namespace {
 
 bool within(const char* name, double value, double lowest, double highest, std::string* why) {
   if (value >= lowest && value <= highest) return true;
-  if (why)
-    *why = std::string(name) + " = " + std::to_string(value) + " must be within " + std::to_string(lowest) +
-           " and " + std::to_string(highest);
+  if (why) {
+    std::ostringstream text;
+    text << name << " = " << value << " must be within " << lowest << " and " << highest;
+    *why = text.str();
+  }
   return false;
 }
 

@@ -1,41 +1,17 @@
 #include "scenes/gltf_import.h"
 
-#include <cmath>
 #include <new>
 
 #include "scenes/gltf/container.h"
+#include "scenes/gltf/extensions.h"
+#include "scenes/gltf/instances.h"
 #include "scenes/gltf/lanes.h"
-#include "scenes/gltf/meshes.h"
 #include "scenes/gltf/nodes.h"
 
 namespace cps {
 namespace {
 
 using namespace gltf;
-
-/// A transform that flattens everything would leave its normals undefined.
-bool is_invertible(const Eigen::Affine3f& transform) {
-  const Eigen::Matrix3f m = transform.linear();
-  const float size = m.col(0).norm() * m.col(1).norm() * m.col(2).norm();
-  return transform.matrix().allFinite() && size > 0 && std::abs(m.determinant()) > 1e-6f * size;
-}
-
-void add_instances(MeshTable& meshes, const PlacedNode& placed) {
-  Document& document = meshes.document;
-  const tinygltf::Node& node = document.model.nodes[placed.node];
-  if (node.mesh == -1) return;
-  const std::string where = element("nodes", placed.node);
-  if (!in_range(node.mesh, document.model.meshes))
-    refuse(document, where + ".mesh", std::to_string(node.mesh) + " does not exist");
-  if (node.skin != -1) warn(document, where + ": drawn without its skin");
-  const Eigen::Affine3f world_from_mesh = placed.world_from_node.cast<float>();
-  if (!is_invertible(world_from_mesh)) {
-    warn(document, where + ": its scale is 0 along an axis, not drawn");
-    return;
-  }
-  for (const int mesh : mesh_indices(meshes, node.mesh))
-    meshes.scene.instances.push_back({mesh, world_from_mesh});
-}
 
 /// Boxes of the transformed boxes of the meshes: never too small, a little large for turned instances.
 Eigen::AlignedBox3f bounds_of(const Document& document, const Scene& scene) {
@@ -58,10 +34,11 @@ Scene make_scene(Document& document) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.credits = document.model.asset.copyright;
   MeshTable meshes{document, scene, {document, scene, {}, {}}, {}};
-  for (const PlacedNode& placed : place_nodes(document, index)) add_instances(meshes, placed);
+  add_instances(meshes, place_nodes(document, index));
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);
   scene.lanes = read_lanes(document, index);
+  warn_of_unread_extensions(document);
   if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
   return scene;
 }

@@ -25,8 +25,7 @@ bool is_plain_name(const std::string& name) {
 bool RigCamera::is_valid(std::string* why) const {
   if (!is_plain_name(name))
     return refuse(why, "name = \"" + name + "\" must be 1 to 64 letters, digits, - or _");
-  if (!(position_m.cwiseAbs().maxCoeff() <= 50))
-    return refuse(why, "position_m must lie within 50 m of the car's origin");
+  if (!(position_m.norm() <= 50)) return refuse(why, "position_m must lie within 50 m of the car's origin");
   if (!(std::abs(yaw_deg) <= 180)) return refuse(why, "yaw_deg must be within -180 and 180");
   if (!(std::abs(pitch_deg) <= 90)) return refuse(why, "pitch_deg must be within -90 and 90");
   if (!(std::abs(roll_deg) <= 180)) return refuse(why, "roll_deg must be within -180 and 180");

@@ -34,12 +34,11 @@ Elements elements(Document& document, int accessor, const std::string& where);
 /// Unchecked.
 float component(const Elements& elements, std::size_t i, int c);
 
-/// Elements `picked` (unchecked: each < count) of an accessor of vectors with N components.
+/// Elements `picked` (unchecked: each < count) of vectors that must have N components.
 template <int N>
-std::vector<Eigen::Matrix<float, N, 1>> read_vectors(Document& document, int accessor,
+std::vector<Eigen::Matrix<float, N, 1>> read_vectors(Document& document, const Elements& from,
                                                      const std::string& where,
                                                      std::span<const std::uint32_t> picked) {
-  const Elements from = elements(document, accessor, where);
   if (from.components != N)
     refuse(document, where,
            "must have " + std::to_string(N) + " components, has " + std::to_string(from.components));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "scenes/gltf/draco.h"
 #include "scenes/gltf/json_checks.h"
 
 namespace cps::gltf {
@@ -66,6 +67,21 @@ std::string_view check_glb(const std::filesystem::path& file, const Bytes& bytes
   return {reinterpret_cast<const char*>(bytes.data()) + 20, little_endian_u32(bytes, 12)};
 }
 
+/// The same file with another JSON text.
+Bytes with_json(const Bytes& bytes, std::string text) {
+  if (!is_glb(bytes)) return {text.begin(), text.end()};
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::size_t other_chunks = 20 + std::size_t{little_endian_u32(bytes, 12)};
+  Bytes changed(bytes.begin(), bytes.begin() + 20);
+  changed.insert(changed.end(), text.begin(), text.end());
+  changed.insert(changed.end(), bytes.begin() + other_chunks, bytes.begin() + little_endian_u32(bytes, 8));
+  const auto length = static_cast<std::uint32_t>(changed.size()),
+             json_length = static_cast<std::uint32_t>(text.size());
+  std::memcpy(&changed[8], &length, sizeof length);
+  std::memcpy(&changed[12], &json_length, sizeof json_length);
+  return changed;
+}
+
 /// Keeps an image file's bytes for later. Images in buffer views are left alone: tinygltf hands over a
 /// pointer it has not checked.
 bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
@@ -104,7 +120,8 @@ Document read_document(const std::filesystem::path& file) {
   const std::string_view text =
       glb ? check_glb(file, bytes)
           : std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  parse_checked_json(file, text);
+  nlohmann::json root = parse_checked_json(file, text);
+  if (complete_draco_accessors(root)) bytes = with_json(bytes, root.dump());
 
   Document document;
   document.file = file;

@@ -3,16 +3,18 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <boost/crc.hpp>
 #include <cstring>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "scenes/gltf/accessors.h"
 
 namespace cps::gltf {
 namespace {
 
-constexpr int max_side = 32768;
+constexpr int max_side = 16384;
 
 /// The image's file as it lies in a buffer view, or as it was read from its URI.
 std::span<const unsigned char> encoded_bytes(const Document& document, int index, const std::string& where) {
@@ -43,6 +45,25 @@ const char* format_name(const Document& document, std::span<const unsigned char>
                : std::string("is neither PNG, JPEG nor WebP"));
 }
 
+/// A PNG is a signature and chunks of length, type, data and checksum, IEND last. libpng reports what is
+/// broken there on the terminal, so it is found before.
+bool is_whole_png(std::span<const unsigned char> bytes) {
+  const auto big_endian_u32 = [&](std::size_t at) {
+    return std::uint32_t{bytes[at]} << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
+  };
+  std::size_t at = 8;
+  while (bytes.size() >= at + 12) {
+    const std::size_t length = big_endian_u32(at);
+    if (length > bytes.size() - at - 12) return false;
+    boost::crc_32_type checksum;
+    checksum.process_bytes(&bytes[at + 4], length + 4);
+    if (checksum.checksum() != big_endian_u32(at + 8 + length)) return false;
+    if (starts_with(bytes, "IEND", at + 4)) return true;
+    at += 12 + length;
+  }
+  return false;
+}
+
 /// Gray becomes red = green = blue; a missing alpha becomes 255.
 void to_rgba(const std::vector<std::uint8_t>& pixels, int channels, std::vector<std::uint8_t>& rgba) {
   const bool has_alpha = channels == 2 || channels == 4;
@@ -67,6 +88,7 @@ DecodedImage decode_image(Document& document, int index) {
     refuse(document, where, std::string(format) + " cannot be decoded (" + why + "): is the file complete?");
   };
 
+  if (format == std::string_view("png") && !is_whole_png(bytes)) fail("chunks or checksums are broken");
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&memory))

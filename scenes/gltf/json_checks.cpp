@@ -1,11 +1,11 @@
 #include "scenes/gltf/json_checks.h"
 
-#include <algorithm>
-#include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
 
 #include "scenes/gltf/document.h"
+#include "scenes/gltf/extensions.h"
 
 namespace cps::gltf {
 namespace {
@@ -14,89 +14,139 @@ using nlohmann::json;
 
 constexpr int max_depth = 100;
 
-constexpr std::array read_extensions = {
-    "EXT_texture_webp",
-    "KHR_materials_emissive_strength",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
+/// Properties that, where they exist, must be whole numbers ("[]": each element, "*": each member).
+constexpr const char* whole_numbers[] = {
+    "scene",
+    "scenes[].nodes[]",
+    "nodes[].mesh",
+    "nodes[].skin",
+    "nodes[].children[]",
+    "meshes[].primitives[].material",
+    "meshes[].primitives[].mode",
+    "meshes[].primitives[].indices",
+    "meshes[].primitives[].attributes.*",
+    "accessors[].bufferView",
+    "accessors[].byteOffset",
+    "accessors[].componentType",
+    "accessors[].count",
+    "accessors[].sparse.count",
+    "accessors[].sparse.indices.bufferView",
+    "accessors[].sparse.indices.byteOffset",
+    "accessors[].sparse.indices.componentType",
+    "accessors[].sparse.values.bufferView",
+    "accessors[].sparse.values.byteOffset",
+    "bufferViews[].buffer",
+    "bufferViews[].byteOffset",
+    "bufferViews[].byteLength",
+    "bufferViews[].byteStride",
+    "buffers[].byteLength",
+    "materials[].pbrMetallicRoughness.baseColorTexture.index",
+    "materials[].pbrMetallicRoughness.baseColorTexture.texCoord",
+    "materials[].pbrMetallicRoughness.metallicRoughnessTexture.index",
+    "materials[].pbrMetallicRoughness.metallicRoughnessTexture.texCoord",
+    "materials[].normalTexture.index",
+    "materials[].normalTexture.texCoord",
+    "materials[].emissiveTexture.index",
+    "materials[].emissiveTexture.texCoord",
+    "textures[].source",
+    "textures[].sampler",
+    "images[].bufferView",
+    "samplers[].magFilter",
+    "samplers[].wrapS",
+    "samplers[].wrapT",
+    "skins[].inverseBindMatrices",
+    "skins[].joints[]",
 };
 
+constexpr const char* numbers[] = {
+    "nodes[].matrix[]",
+    "nodes[].translation[]",
+    "nodes[].rotation[]",
+    "nodes[].scale[]",
+    "materials[].emissiveFactor[]",
+    "materials[].alphaCutoff",
+    "materials[].pbrMetallicRoughness.baseColorFactor[]",
+    "materials[].pbrMetallicRoughness.metallicFactor",
+    "materials[].pbrMetallicRoughness.roughnessFactor",
+    "materials[].normalTexture.scale",
+};
+
+bool is_whole_number(const json& value) {
+  return value.is_number_unsigned() && value.get<std::uint64_t>() <= std::numeric_limits<std::int32_t>::max();
+}
+
+bool is_number(const json& value) {
+  return value.is_number();
+}
+
+using Rule = bool (*)(const json&);
+
+/// Follows `path` from `value`, which stands at `place`, and applies `rule` at its ends. Where that fails,
+/// `place` says.
+bool holds(const json& value, std::string_view path, Rule rule, std::string& place) {
+  if (path.empty()) return rule(value);
+  const std::size_t dot = path.find('.'), length = place.size();
+  std::string_view key = path.substr(0, dot);
+  const std::string_view rest = dot == path.npos ? "" : path.substr(dot + 1);
+  const auto holds_at = [&](const json& child) {
+    if (!holds(child, rest, rule, place)) return false;
+    place.resize(length);
+    return true;
+  };
+  if (!value.is_object()) return false;
+  if (key == "*") {
+    for (const auto& [name, member] : value.items())
+      if (place.append(".").append(name); !holds_at(member)) return false;
+    return true;
+  }
+  const bool each_element = key.ends_with("[]");
+  if (each_element) key.remove_suffix(2);
+  const auto member = value.find(std::string(key));
+  if (member == value.end()) return true;
+  place.append(".").append(key);
+  if (!each_element) return holds_at(*member);
+  if (!member->is_array()) return false;
+  for (std::size_t i = 0; i < member->size(); ++i) {
+    place.resize(length);
+    place.append(".").append(key).append("[").append(std::to_string(i)).append("]");
+    if (!holds_at((*member)[i])) return false;
+  }
+  place.resize(length);
+  return true;
+}
+
+void check_numbers(const std::filesystem::path& file, const json& root) {
+  const auto check = [&](const char* path, Rule rule, const char* kind) {
+    std::string place;
+    if (!holds(root, path, rule, place))
+      refuse(file, place.substr(1), std::string("does not fit glTF's schema, where ") + path + " is " + kind);
+  };
+  for (const char* path : whole_numbers) check(path, is_whole_number, "a whole number, 0 to 2147483647");
+  for (const char* path : numbers) check(path, is_number, "a number");
+}
+
 json parse(const std::filesystem::path& file, std::string_view text) {
-  const auto too_deep = [&](int depth, json::parse_event_t, json&) {
+  const auto check_depth = [&](int depth, json::parse_event_t, json&) {
     if (depth > max_depth)
       refuse(file, "JSON",
-             "nested deeper than " + std::to_string(max_depth) + " levels: not a sane glTF file");
+             "nested deeper than " + std::to_string(max_depth) + " levels: is this a glTF file?");
     return true;
   };
   try {
-    return json::parse(text.begin(), text.end(), too_deep);
+    return json::parse(text.begin(), text.end(), check_depth);
   } catch (const json::exception& error) {
     refuse(file, "JSON", std::string("cannot be parsed (") + error.what() + "): is the file complete?");
   }
 }
 
-/// `object[key]`, where it exists, must be a whole number from 0 to `largest`.
-void check_whole_number(const std::filesystem::path& file, const std::string& where, const json& object,
-                        const char* key, std::uint64_t largest) {
-  const auto found = object.find(key);
-  if (found == object.end()) return;
-  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > largest)
-    refuse(file, where + "." + key, "must be a whole number, 0 to " + std::to_string(largest));
-}
-
-struct WholeNumbers {
-  const char* array;
-  std::vector<const char*> indices, bytes;
-};
-
-void check_whole_numbers(const std::filesystem::path& file, const json& root) {
-  constexpr std::uint64_t largest_index = std::numeric_limits<int>::max();
-  constexpr std::uint64_t largest_size = std::uint64_t{1} << 40;
-  static const std::vector<WholeNumbers> table = {
-      {"accessors", {"bufferView", "componentType"}, {"byteOffset", "count"}},
-      {"buffers", {}, {"byteLength"}},
-      {"bufferViews", {"buffer", "target"}, {"byteOffset", "byteLength", "byteStride"}},
-      {"images", {"bufferView"}, {}},
-      {"nodes", {"mesh", "skin", "camera"}, {}},
-      {"textures", {"source", "sampler"}, {}},
-      {"samplers", {"magFilter", "minFilter", "wrapS", "wrapT"}, {}},
-  };
-  check_whole_number(file, "glTF", root, "scene", largest_index);
-  for (const WholeNumbers& entry : table) {
-    const auto array = root.find(entry.array);
-    if (array == root.end()) continue;
-    if (!array->is_array()) refuse(file, entry.array, "must be an array");
-    for (std::size_t i = 0; i < array->size(); ++i) {
-      const std::string where = element(entry.array, i);
-      if (!(*array)[i].is_object()) refuse(file, where, "must be a JSON object");
-      for (const char* key : entry.indices) check_whole_number(file, where, (*array)[i], key, largest_index);
-      for (const char* key : entry.bytes) check_whole_number(file, where, (*array)[i], key, largest_size);
-    }
-  }
-}
-
 void check_version(const std::filesystem::path& file, const json& root) {
-  const auto asset = root.find("asset");
-  if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
-      !(*asset)["version"].is_string())
-    refuse(file, "asset.version", "is missing: is this a glTF file?");
-  const std::string version = (*asset)["version"];
-  if (version.rfind("2.", 0) != 0)
-    refuse(file, "asset.version", "is " + version + ", only glTF 2.0 is read: convert the file to 2.0");
-  if (asset->contains("minVersion") && (*asset)["minVersion"] != "2.0")
+  const json version = root.value(json::json_pointer("/asset/version"), json());
+  if (!version.is_string()) refuse(file, "asset.version", "is missing: is this a glTF file?");
+  const std::string name = version;
+  if (!name.starts_with("2."))
+    refuse(file, "asset.version", "is " + name + ", only glTF 2.0 is read: convert the file to 2.0");
+  if (root["asset"].value("minVersion", json("2.0")) != "2.0")
     refuse(file, "asset.minVersion", "is newer than 2.0, only glTF 2.0 is read");
-}
-
-void check_extensions(const std::filesystem::path& file, const json& root) {
-  const auto required = root.find("extensionsRequired");
-  if (required == root.end()) return;
-  if (!required->is_array()) refuse(file, "extensionsRequired", "must be an array");
-  for (const json& name : *required) {
-    if (!name.is_string()) refuse(file, "extensionsRequired", "must hold names");
-    const std::string extension = name;
-    if (std::find(read_extensions.begin(), read_extensions.end(), extension) == read_extensions.end())
-      refuse(file, "extensionsRequired", extension + " is not supported: export the file again without it");
-  }
 }
 
 }  // namespace
@@ -105,8 +155,8 @@ json parse_checked_json(const std::filesystem::path& file, std::string_view text
   json root = parse(file, text);
   if (!root.is_object()) refuse(file, "JSON", "its root must be an object: is this a glTF file?");
   check_version(file, root);
-  check_extensions(file, root);
-  check_whole_numbers(file, root);
+  check_required_extensions(file, root);
+  check_numbers(file, root);
   return root;
 }
 

@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "scenes/gltf/accessors.h"
+#include "scenes/gltf/draco.h"
+#include "scenes/gltf/skins.h"
 #include "scenes/gltf/triangles.h"
 #include "scenes/gltf/vertex_frames.h"
 
@@ -19,22 +21,19 @@ struct PrimitiveReader {
   std::size_t vertex_count;  ///< before unused ones were dropped
 };
 
-/// The accessor of an attribute, −1 without one; it must have as many elements as POSITION.
-int attribute(PrimitiveReader& reader, const char* name) {
-  const auto found = reader.primitive.attributes.find(name);
-  if (found == reader.primitive.attributes.end()) return -1;
-  const std::size_t count = elements(reader.document, found->second, reader.where + "." + name).count;
-  if (count != reader.vertex_count)
-    refuse(reader.document, reader.where + "." + name,
-           "has " + std::to_string(count) + " elements, POSITION has " + std::to_string(reader.vertex_count));
-  return found->second;
-}
-
+/// An attribute's vectors for the mesh's vertices, empty without it; it must have as many elements as
+/// POSITION.
 template <int N>
 std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, const char* name) {
-  const int accessor = attribute(reader, name);
-  if (accessor == -1) return {};
-  return read_vectors<N>(reader.document, accessor, reader.where + "." + name, reader.vertices);
+  const auto found = reader.primitive.attributes.find(name);
+  if (found == reader.primitive.attributes.end()) return {};
+  const std::string where = reader.where + "." + name;
+  const Elements from = elements(reader.document, found->second, where);
+  if (from.count != reader.vertex_count)
+    refuse(reader.document, where,
+           "has " + std::to_string(from.count) + " elements, POSITION has " +
+               std::to_string(reader.vertex_count));
+  return read_vectors<N>(reader.document, from, where, reader.vertices);
 }
 
 template <int N>
@@ -49,9 +48,11 @@ std::vector<Eigen::Matrix<float, N, 1>> read_finite_attribute(PrimitiveReader& r
 
 /// RGB or RGBA; linear already.
 std::vector<Eigen::Vector4f> read_colors(PrimitiveReader& reader) {
-  const int accessor = attribute(reader, "COLOR_0");
-  if (accessor == -1) return {};
-  const tinygltf::Accessor& colors = reader.document.model.accessors[accessor];
+  const std::vector<tinygltf::Accessor>& accessors = reader.document.model.accessors;
+  const auto found = reader.primitive.attributes.find("COLOR_0");
+  if (found == reader.primitive.attributes.end() || !in_range(found->second, accessors))
+    return read_attribute<4>(reader, "COLOR_0");
+  const tinygltf::Accessor& colors = accessors[found->second];
   if (colors.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !colors.normalized)
     refuse(reader.document, reader.where + ".COLOR_0", "integer colours must be normalized");
   if (colors.type != TINYGLTF_TYPE_VEC3) return read_finite_attribute<4>(reader, "COLOR_0");
@@ -102,16 +103,39 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
     warn(reader.document,
          reader.where + ".NORMAL: " + std::to_string(repaired) + " without direction, made anew");
   }
-  if (!has_valid_tangents(mesh)) {
+  if (material.normal_texture.texture == -1) {
+    mesh.tangents.clear();  // of no use
+    return;
+  }
+  if (!normalize_tangents(mesh)) {
     warn(reader.document, reader.where + ".TANGENT: not valid, made anew");
     mesh.tangents.clear();
   }
-  if (material.normal_texture.texture != -1 && mesh.tangents.empty())
-    make_tangents(mesh, material.normal_texture);
+  if (mesh.tangents.empty()) make_tangents(mesh, material.normal_texture);
+}
+
+/// Bends the mesh to its joints; without JOINTS_0 and WEIGHTS_0 it stays as it is.
+void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_transforms, Mesh& mesh) {
+  const auto joints = read_finite_attribute<4>(reader, "JOINTS_0");
+  const auto weights = read_finite_attribute<4>(reader, "WEIGHTS_0");
+  if (joints.empty() || weights.empty()) {
+    warn(reader.document, reader.where + ": has a skin but no JOINTS_0 and WEIGHTS_0, drawn as it is");
+    return;
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const float count = static_cast<float>(joint_transforms.size());
+    const bool valid = joints[i].minCoeff() >= 0 && joints[i].maxCoeff() < count &&
+                       weights[i].minCoeff() >= 0 && weights[i].sum() > 0;
+    if (!valid)
+      refuse(reader.document, reader.where + ".JOINTS_0",
+             "vertex " + std::to_string(reader.vertices[i]) + " has no joint of its skin or no weight");
+  }
+  blend_to_joints(mesh, joints, weights, joint_transforms);
 }
 
 /// The scene's mesh for one primitive, without triangles where it has none.
-Mesh make_mesh(MeshTable& table, const tinygltf::Primitive& primitive, const std::string& where) {
+Mesh make_mesh(MeshTable& table, const tinygltf::Primitive& primitive,
+               std::span<const Eigen::Affine3f> joint_transforms, const std::string& where) {
   Document& document = table.document;
   Mesh mesh;
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
@@ -136,6 +160,7 @@ Mesh make_mesh(MeshTable& table, const tinygltf::Primitive& primitive, const std
   mesh.uv0 = read_finite_attribute<2>(reader, "TEXCOORD_0");
   mesh.uv1 = read_finite_attribute<2>(reader, "TEXCOORD_1");
   mesh.colors = read_colors(reader);
+  if (!joint_transforms.empty()) apply_skin(reader, joint_transforms, mesh);
   mesh.material = material_index(table.materials, primitive.material, where);
   const Material& material = table.scene.materials[mesh.material];
   complete_uv(reader, material, mesh);
@@ -144,21 +169,33 @@ Mesh make_mesh(MeshTable& table, const tinygltf::Primitive& primitive, const std
   return mesh;
 }
 
+std::vector<int> add_meshes(MeshTable& table, int gltf_mesh,
+                            std::span<const Eigen::Affine3f> joint_transforms) {
+  std::vector<int> added;
+  const tinygltf::Mesh& from = table.document.model.meshes[gltf_mesh];
+  for (std::size_t i = 0; i < from.primitives.size(); ++i) {
+    const std::string where = element("meshes", gltf_mesh) + "." + element("primitives", i);
+    const tinygltf::Primitive primitive = without_draco(table.document, from.primitives[i], where);
+    Mesh mesh = make_mesh(table, primitive, joint_transforms, where);
+    if (mesh.triangles.empty()) continue;
+    mesh.name = from.name;
+    table.scene.meshes.push_back(std::move(mesh));
+    added.push_back(static_cast<int>(table.scene.meshes.size()) - 1);
+  }
+  return added;
+}
+
 }  // namespace
 
 const std::vector<int>& mesh_indices(MeshTable& table, int gltf_mesh) {
   const auto [found, is_new] = table.meshes.try_emplace(gltf_mesh);
-  if (!is_new) return found->second;
-  const tinygltf::Mesh& from = table.document.model.meshes[gltf_mesh];
-  for (std::size_t i = 0; i < from.primitives.size(); ++i) {
-    const std::string where = element("meshes", gltf_mesh) + "." + element("primitives", i);
-    Mesh mesh = make_mesh(table, from.primitives[i], where);
-    if (mesh.triangles.empty()) continue;
-    mesh.name = from.name;
-    table.scene.meshes.push_back(std::move(mesh));
-    found->second.push_back(static_cast<int>(table.scene.meshes.size()) - 1);
-  }
+  if (is_new) found->second = add_meshes(table, gltf_mesh, {});
   return found->second;
+}
+
+std::vector<int> skinned_mesh(MeshTable& table, int gltf_mesh,
+                              std::span<const Eigen::Affine3f> joint_transforms) {
+  return add_meshes(table, gltf_mesh, joint_transforms);
 }
 
 }  // namespace cps::gltf

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "scenes/gltf/materials.h"
@@ -18,5 +20,9 @@ struct MeshTable {
 /// The scene's meshes for a glTF mesh: one for each of its primitives that are triangles. Points and lines
 /// are left out with a warning; missing or broken normals and tangents are made.
 const std::vector<int>& mesh_indices(MeshTable& table, int gltf_mesh);
+
+/// The same, bent to the world's frame by a skin's joint transforms: made anew at each call.
+std::vector<int> skinned_mesh(MeshTable& table, int gltf_mesh,
+                              std::span<const Eigen::Affine3f> joint_transforms);
 
 }  // namespace cps::gltf

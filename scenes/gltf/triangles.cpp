@@ -33,6 +33,7 @@ CompactTriangles compact(Document& document, std::span<const std::uint32_t> corn
   const std::uint32_t first = *lowest;
   const std::size_t range = std::size_t{*highest} - first + 1;
   if (corners.size() > std::numeric_limits<int>::max()) refuse(document, where, "has more than 2^31 corners");
+  reserve_memory(document, where, range, sizeof(std::uint32_t));
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> new_number(range, unused);
   for (const std::uint32_t corner : corners) new_number[corner - first] = 0;

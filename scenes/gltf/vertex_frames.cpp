@@ -153,11 +153,14 @@ void make_tangents(Mesh& mesh, const TextureSlot& slot) {
   }
 }
 
-bool has_valid_tangents(const Mesh& mesh) {
-  return std::all_of(mesh.tangents.begin(), mesh.tangents.end(), [](const Eigen::Vector4f& tangent) {
-    const float length = tangent.head<3>().norm();
-    return length > 0.5f && length < 2.0f && std::abs(tangent.w()) == 1.0f;
-  });
+bool normalize_tangents(Mesh& mesh) {
+  for (Eigen::Vector4f& tangent : mesh.tangents) {
+    const float length = tangent.head<3>().norm(), handedness = std::abs(tangent.w());
+    if (!(length > 0.5f && length < 2 && handedness > 0.5f && handedness < 2)) return false;
+    tangent.head<3>() /= length;
+    tangent.w() = tangent.w() > 0 ? 1.0f : -1.0f;
+  }
+  return true;
 }
 
 }  // namespace cps::gltf

@@ -18,7 +18,8 @@ std::size_t repair_normals(Mesh& mesh);
 /// which this does not.
 void make_tangents(Mesh& mesh, const TextureSlot& slot);
 
-/// True when every tangent is finite, has a direction and a handedness of ±1.
-bool has_valid_tangents(const Mesh& mesh);
+/// Brings tangents to length one and a handedness of ±1, which compressed files have but nearly. False when
+/// one is too far from it to mean anything.
+bool normalize_tangents(Mesh& mesh);
 
 }  // namespace cps::gltf

@@ -1,0 +1,91 @@
+#include "scenes/gltf/instances.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "scenes/gltf/accessors.h"
+#include "scenes/gltf/skins.h"
+
+namespace cps::gltf {
+namespace {
+
+/// A transform that flattens everything would leave its normals undefined.
+bool is_invertible(const Eigen::Affine3f& transform) {
+  const Eigen::Matrix3f m = transform.linear();
+  const float size = m.col(0).norm() * m.col(1).norm() * m.col(2).norm();
+  return transform.matrix().allFinite() && size > 0 && std::abs(m.determinant()) > 1e-6f * size;
+}
+
+template <int N>
+std::vector<Eigen::Matrix<float, N, 1>> read_instancing(Document& document, const tinygltf::Value& attributes,
+                                                        const char* name, const std::string& where) {
+  if (!attributes.Has(name)) return {};
+  const tinygltf::Value& accessor = attributes.Get(name);
+  const Elements from =
+      elements(document, accessor.IsInt() ? accessor.GetNumberAsInt() : -1, where + "." + name);
+  reserve_memory(document, where, from.count, sizeof(std::uint32_t));
+  std::vector<std::uint32_t> all(from.count);
+  std::iota(all.begin(), all.end(), 0u);
+  return read_vectors<N>(document, from, where + "." + name, all);
+}
+
+/// Where EXT_mesh_gpu_instancing repeats the node's mesh, in the node's frame; once at its origin without it.
+std::vector<Eigen::Affine3d> repetitions(Document& document, const tinygltf::Node& node,
+                                         const std::string& where) {
+  const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
+  if (extension == node.extensions.end()) return {Eigen::Affine3d::Identity()};
+  const std::string name = where + ".EXT_mesh_gpu_instancing";
+  if (!extension->second.Has("attributes")) refuse(document, name, "has no attributes");
+  const tinygltf::Value& attributes = extension->second.Get("attributes");
+  const auto translations = read_instancing<3>(document, attributes, "TRANSLATION", name);
+  const auto rotations = read_instancing<4>(document, attributes, "ROTATION", name);
+  const auto scales = read_instancing<3>(document, attributes, "SCALE", name);
+  const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
+  for (const std::size_t size : {translations.size(), rotations.size(), scales.size()})
+    if (count == 0 || (size != 0 && size != count)) refuse(document, name, "its attributes differ in count");
+  reserve_memory(document, name, count, sizeof(Eigen::Affine3d));
+  std::vector<Eigen::Affine3d> transforms(count, Eigen::Affine3d::Identity());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!translations.empty()) transforms[i].translate(translations[i].cast<double>());
+    if (!rotations.empty())
+      transforms[i].rotate(Eigen::Quaterniond(rotations[i].cast<double>()).normalized());
+    if (!scales.empty()) transforms[i].scale(scales[i].cast<double>());
+  }
+  return transforms;
+}
+
+void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::string& where) {
+  Document& document = meshes.document;
+  const tinygltf::Node& node = document.model.nodes[placed.node];
+  for (const Eigen::Affine3d& node_from_mesh : repetitions(document, node, where)) {
+    const Eigen::Affine3f world_from_mesh = (placed.world_from_node * node_from_mesh).cast<float>();
+    if (!is_invertible(world_from_mesh)) {
+      warn(document, where + ": its scale is 0 along an axis, not drawn");
+      continue;
+    }
+    const std::vector<int>& parts = mesh_indices(meshes, node.mesh);
+    reserve_memory(document, where, parts.size(), sizeof(Instance));
+    for (const int mesh : parts) meshes.scene.instances.push_back({mesh, world_from_mesh});
+  }
+}
+
+}  // namespace
+
+void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
+  Document& document = meshes.document;
+  for (const PlacedNode& place : placed) {
+    const tinygltf::Node& node = document.model.nodes[place.node];
+    if (node.mesh == -1) continue;
+    const std::string where = element("nodes", place.node);
+    if (!in_range(node.mesh, document.model.meshes))
+      refuse(document, where + ".mesh", std::to_string(node.mesh) + " does not exist");
+    if (node.skin == -1) {
+      add_instances(meshes, place, where);
+    } else {  // the joints alone say where a skinned mesh stands
+      for (const int mesh : skinned_mesh(meshes, node.mesh, joint_transforms(document, node.skin, placed)))
+        meshes.scene.instances.push_back({mesh, Eigen::Affine3f::Identity()});
+    }
+  }
+}
+
+}  // namespace cps::gltf

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+/// A glTF file being made by hand: JSON as a test likes it and one buffer.
+struct GltfMaker {
+  nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
+  std::vector<unsigned char> buffer;
+
+  /// Appends bytes (on a 4-byte border) as a buffer view; returns its index.
+  int add_view(const void* data, std::size_t size, std::size_t stride = 0);
+  /// Adds an accessor over a view; `type` as in glTF ("VEC3"), `component` 5121, 5123, …
+  int add_accessor(int view, int component, const char* type, std::size_t count, bool normalized = false);
+  /// A view and an accessor over all of it.
+  int add_floats(const std::vector<float>& values, const char* type);
+  template <class T>
+  int add(const std::vector<T>& values, int component, const char* type, std::size_t count,
+          bool normalized = false) {
+    return add_accessor(add_view(values.data(), values.size() * sizeof(T)), component, type, count,
+                        normalized);
+  }
+  /// Adds an image file to the buffer, a texture that shows it, and returns the texture's index.
+  int add_texture(const std::vector<unsigned char>& image_file);
+
+  nlohmann::json& primitive() { return json["meshes"][0]["primitives"][0]; }
+
+  std::vector<unsigned char> glb() const;
+  /// JSON text with the buffer as `uri`, or as a data URI without one.
+  std::string gltf(const std::string& uri = "") const;
+};
+
+/// One triangle (0,0,0) (1,0,0) (0,1,0) in the xy plane with POSITION only, one node, one scene.
+GltfMaker one_triangle();
+
+/// A unit square in the xy plane facing +z: u right, v down, two triangles, u16 indices, NORMAL and
+/// TEXCOORD_0, and material 0.
+GltfMaker one_square();
+
+/// PNG, or what `format` says, of `channels` × width × height values.
+std::vector<unsigned char> encode_image(const std::string& format, int width, int height, int channels,
+                                        const std::vector<std::uint8_t>& values);
+
+std::string base64(const std::vector<unsigned char>& bytes);
+
+/// A folder of its own, removed with everything in it.
+struct TemporaryFolder {
+  TemporaryFolder();
+  ~TemporaryFolder();
+  std::filesystem::path path;
+};
+
+void write_file(const std::filesystem::path& file, const void* data, std::size_t size);
+
+/// Writes the bytes as a file and imports it.
+cps::Scene import_bytes(const std::vector<unsigned char>& bytes,
+                        std::vector<std::string>* warnings = nullptr);
+cps::Scene import_glb(const GltfMaker& maker, std::vector<std::string>* warnings = nullptr);
+
+/// The line that the import refuses the file with, without the file's name; "" when it is not refused.
+std::string refusal(const std::vector<unsigned char>& bytes);
+std::string refusal(const GltfMaker& maker);

@@ -1,0 +1,58 @@
+#include <catch2/catch.hpp>
+
+#include "scenes/clearance.h"
+
+using namespace cps;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+namespace {
+
+/// A box with outward faces, its corners at ±1.
+Mesh box() {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.emplace_back(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
+  mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  return mesh;
+}
+
+/// Ground at y = 0 (the top of a slab) and a house of 10 m whose west wall stands at x = 15.
+Scene house_on_the_ground(float mirror = 1) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.meshes = {box()};
+  Instance ground, house;
+  ground.world_from_mesh = Eigen::Translation3f(0, -1, 0) * Eigen::Scaling(Vector3f(200 * mirror, 1, 200));
+  house.world_from_mesh = Eigen::Translation3f(20, 5, 0) * Eigen::Scaling(Vector3f(5 * mirror, 5, 5));
+  scene.instances = {ground, house};
+  return scene;
+}
+
+const Vector3d east(1, 0, 0), west(-1, 0, 0);
+
+}  // namespace
+
+TEST_CASE("a place is clear unless something stands close ahead") {
+  const ClearanceQuery query(house_on_the_ground());
+  CHECK(is_clear(query, {0, 1.65, 0}, east, 5));
+  CHECK(is_clear(query, {9.9, 1.65, 0}, east, 5));
+  CHECK_FALSE(is_clear(query, {10.3, 1.65, 0}, east, 5));
+  CHECK(is_clear(query, {10.3, 1.65, 0}, west, 5));  // it is behind
+  CHECK(is_clear(query, {10.3, 1.65, 0}, 7 * east, 4));
+}
+
+TEST_CASE("a place inside something or below the ground is not clear") {
+  const float mirror = GENERATE(1.0f, -1.0f);  // mirrored instances keep their fronts
+  const ClearanceQuery query(house_on_the_ground(mirror));
+  CHECK(is_clear(query, {0, 1.65, 0}, east, 0));
+  CHECK_FALSE(is_clear(query, {20, 5, 0}, east, 0));
+  CHECK_FALSE(is_clear(query, {0, -0.5, 0}, east, 0));
+}
+
+TEST_CASE("double-sided leaves around the camera do not mean inside") {
+  Scene scene = house_on_the_ground();
+  scene.materials[0].double_sided = true;
+  CHECK(is_clear(ClearanceQuery(scene), {20, 5, 0}, east, 1));
+}

@@ -1,0 +1,28 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scenes/daylight.h"
+
+using cps::Daylight;
+using cps::direction_to_sun;
+using Eigen::Vector3f;
+
+TEST_CASE("the sun stands where azimuth and elevation say") {
+  CHECK(direction_to_sun({.sun_elevation_deg = 0, .sun_azimuth_deg = 0}).isApprox(Vector3f(0, 0, -1), 1e-6f));
+  CHECK(direction_to_sun({.sun_elevation_deg = 0, .sun_azimuth_deg = 90}).isApprox(Vector3f(1, 0, 0), 1e-6f));
+  CHECK(
+      direction_to_sun({.sun_elevation_deg = 90, .sun_azimuth_deg = 90}).isApprox(Vector3f(0, 1, 0), 1e-6f));
+  const float half = std::sqrt(0.5f);
+  CHECK(direction_to_sun({.sun_elevation_deg = 45, .sun_azimuth_deg = 180})
+            .isApprox(Vector3f(0, half, half), 1e-6f));
+}
+
+TEST_CASE("daylight out of range is named") {
+  std::string why;
+  CHECK(Daylight{}.is_valid(&why));
+  CHECK_FALSE(Daylight{.sun_elevation_deg = 95}.is_valid(&why));
+  CHECK(why == "sun_elevation_deg = 95 must be within 0 and 90");
+  CHECK_FALSE(Daylight{.turbidity = std::nan("")}.is_valid(&why));
+  CHECK(why == "turbidity = nan must be within 1.7 and 10");
+  CHECK_FALSE(Daylight{.sun_angular_diameter_deg = -1}.is_valid(nullptr));
+}
