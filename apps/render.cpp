@@ -33,8 +33,8 @@ Eigen::Vector3d parse_point(const std::string& option, const std::string& text) 
   std::istringstream in(text);
   Eigen::Vector3d point;
   char comma1 = 0, comma2 = 0;
-  if (in >> point.x() >> comma1 >> point.y() >> comma2 >> point.z() && comma1 == ',' && comma2 == ',' && in.peek() == EOF &&
-      point.allFinite()) {
+  if (in >> point.x() >> comma1 >> point.y() >> comma2 >> point.z() && comma1 == ',' && comma2 == ',' &&
+      in.peek() == EOF && point.allFinite()) {
     return point;
   }
   throw po::error("--" + option + " " + text + ": must be X,Y,Z in metres");
@@ -45,7 +45,8 @@ Eigen::Vector2i parse_size(const std::string& text) {
   std::istringstream in(text);
   Eigen::Vector2i size;
   char x = 0;
-  if (in >> size.x() >> x >> size.y() && x == 'x' && in.peek() == EOF && size.minCoeff() >= 1 && size.maxCoeff() <= 32768) {
+  if (in >> size.x() >> x >> size.y() && x == 'x' && in.peek() == EOF && size.minCoeff() >= 1 &&
+      size.maxCoeff() <= 32768) {
     return size;
   }
   throw po::error("--size " + text + ": must be WIDTHxHEIGHT in pixels, at most 32768 each");
@@ -54,7 +55,8 @@ Eigen::Vector2i parse_size(const std::string& text) {
 Eigen::Isometry3d looking_at(const Eigen::Vector3d& from, const Eigen::Vector3d& at) {
   const Eigen::Vector3d forward = (at - from).normalized();
   Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitY());
-  if (!forward.allFinite() || forward.norm() < 0.5) throw po::error("--look-at: must differ from the camera's position");
+  if (!forward.allFinite() || forward.norm() < 0.5)
+    throw po::error("--look-at: must differ from the camera's position");
   if (right.norm() < 1e-6) right = Eigen::Vector3d::UnitX();  // straight up or down
   right.normalize();
   Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
@@ -88,7 +90,8 @@ std::string encode_exr(const OIIO::ImageBuf& image) {
   OIIO::ImageSpec spec = image.spec();
   spec.attribute("compression", "zip");
   const auto out = OIIO::ImageOutput::create("picture.exr", &memory);
-  if (!out || !out->open("picture.exr", spec) || !out->write_image(OIIO::TypeDesc::FLOAT, image.localpixels()) || !out->close()) {
+  if (!out || !out->open("picture.exr", spec) ||
+      !out->write_image(OIIO::TypeDesc::FLOAT, image.localpixels()) || !out->close()) {
     throw std::runtime_error("EXR: " + (out ? out->geterror() : OIIO::geterror()));
   }
   return {bytes.begin(), bytes.end()};
@@ -112,16 +115,22 @@ po::options_description describe(RenderRequest& request) {
   add("scene", po::value(&request.scene)->required(), "a .glb or .gltf file");
   add("output,o", po::value(&request.output)->required(), "a .png (8-bit sRGB) or .exr (linear, kcd/m2)");
   add("size", po::value(&request.size)->default_value(request.size), "WIDTHxHEIGHT, pixels");
-  add("hfov", po::value(&request.hfov_deg)->default_value(request.hfov_deg), "horizontal field of view, degrees");
-  add("position", po::value(&request.position), "X,Y,Z of the camera, metres, y up [the first lane, or a view of it all]");
+  add("hfov", po::value(&request.hfov_deg)->default_value(request.hfov_deg),
+      "horizontal field of view, degrees");
+  add("position", po::value(&request.position),
+      "X,Y,Z of the camera, metres, y up [the first lane, or a view of it all]");
   add("look-at", po::value(&request.look_at), "X,Y,Z of the point in the middle of the picture");
   add("samples", po::value(&render.samples)->default_value(render.samples), "paths per pixel");
-  add("bounces", po::value(&render.max_shaded_vertices)->default_value(render.max_shaded_vertices), "surfaces that a path may meet");
+  add("bounces", po::value(&render.max_shaded_vertices)->default_value(render.max_shaded_vertices),
+      "surfaces that a path may meet");
   add("exposure", po::value<double>()->notifier([&request](double ev) { request.exposure_ev = ev; }),
       "stops: a .png's value is radiance (kcd/m2) times 2^EV [metered]");
-  add("sun-elevation", po::value(&day.sun_elevation_deg)->default_value(day.sun_elevation_deg), "degrees above the horizon");
-  add("sun-azimuth", po::value(&day.sun_azimuth_deg)->default_value(day.sun_azimuth_deg), "degrees clockwise from north (-z)");
-  add("turbidity", po::value(&day.turbidity)->default_value(day.turbidity), "of the air: 2 very clear, 3 clear, 6 hazy");
+  add("sun-elevation", po::value(&day.sun_elevation_deg)->default_value(day.sun_elevation_deg),
+      "degrees above the horizon");
+  add("sun-azimuth", po::value(&day.sun_azimuth_deg)->default_value(day.sun_azimuth_deg),
+      "degrees clockwise from north (-z)");
+  add("turbidity", po::value(&day.turbidity)->default_value(day.turbidity),
+      "of the air: 2 very clear, 3 clear, 6 hazy");
   add("seed", po::value(&render.seed)->default_value(render.seed), "of the sampling");
   add("threads", po::value(&request.threads)->default_value(request.threads), "0: all");
   return options;
@@ -130,11 +139,14 @@ po::options_description describe(RenderRequest& request) {
 void check(const RenderRequest& request) {
   std::string why;
   if (!request.render.is_valid(&why) || !request.daylight.is_valid(&why)) throw po::error(why);
-  if (!(request.hfov_deg > 0 && request.hfov_deg < 180)) throw po::error("--hfov: must lie between 0 and 180 degrees");
+  if (!(request.hfov_deg > 0 && request.hfov_deg < 180))
+    throw po::error("--hfov: must lie between 0 and 180 degrees");
   if (request.threads < 0) throw po::error("--threads: must be 0 or more");
-  if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64)) throw po::error("--exposure: must lie in [-64, 64]");
+  if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64))
+    throw po::error("--exposure: must lie in [-64, 64]");
   const std::string kind = request.output.extension().string();
-  if (kind != ".png" && kind != ".exr") throw po::error("--output " + request.output.string() + ": must end in .png or .exr");
+  if (kind != ".png" && kind != ".exr")
+    throw po::error("--output " + request.output.string() + ": must end in .png or .exr");
 }
 
 Camera make_camera(const RenderRequest& request, const Scene& scene) {
@@ -160,7 +172,8 @@ std::optional<double> write_picture(const RenderRequest& request, const OIIO::Im
   }
   const double exposure = request.exposure_ev ? std::exp2(*request.exposure_ev) : meter_exposure(linear);
   constexpr SensorSettings noiseless{.exposure_bias_ev = 0, .full_well_e = 1e15, .read_noise_e = 0};
-  write_file(request.output, encode_png(develop(linear, exposure, noiseless, make_stream(request.render.seed, "sensor"))));
+  write_file(request.output,
+             encode_png(develop(linear, exposure, noiseless, make_stream(request.render.seed, "sensor"))));
   return std::log2(exposure);
 }
 
@@ -171,9 +184,10 @@ int cps_render(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("scene", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps render SCENE -o FILE\nOne view of a glTF scene by path tracing, under a clear sky.\n",
-                     describe(request), positional, values)) {
+  if (!parse_options(
+          arguments,
+          "cps render SCENE -o FILE\nOne view of a glTF scene by path tracing, under a clear sky.\n",
+          describe(request), positional, values)) {
     return 0;
   }
   po::notify(values);

@@ -14,8 +14,8 @@ struct ShadowContext {
 
 void init_shadow_context(ShadowContext& context);
 
-/// Lets rays through the holes of masked geometry, and through half-transparent geometry: a nearest-hit ray by chance
-/// (a hash of ray id and triangle), a shadow ray with the share that is left.
+/// Lets rays through the holes of masked geometry, and through half-transparent geometry: a nearest-hit ray
+/// by chance (a hash of ray id and triangle), a shadow ray with the share that is left.
 void set_alpha_filters(RTCGeometry embree, const Geometry& geometry);
 
 }  // namespace cps

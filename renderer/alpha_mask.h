@@ -7,8 +7,8 @@
 
 namespace cps {
 
-/// Where a texture's filtered alpha reaches a threshold, known beforehand: for every square between four texel centres
-/// two bits say whether all of it passes, none of it, or the bilinear value must be looked at.
+/// Where a texture's filtered alpha reaches a threshold, known beforehand: for every square between four
+/// texel centres two bits say whether all of it passes, none of it, or the bilinear value must be looked at.
 struct AlphaMask {
   const MipTexture* texture = nullptr;
   float threshold = 0.5f;

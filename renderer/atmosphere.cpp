@@ -10,10 +10,10 @@ namespace cps {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double ground_m = 6360e3, top_m = 6460e3;                   // radii
-constexpr double rayleigh_height_m = 8000, haze_height_m = 1200;      // densities fall to 1/e
-constexpr double ozone_middle_m = 25e3, ozone_half_width_m = 15e3;    // a tent
-constexpr double eye_m = 2;                                           // above the ground
+constexpr double ground_m = 6360e3, top_m = 6460e3;                 // radii
+constexpr double rayleigh_height_m = 8000, haze_height_m = 1200;    // densities fall to 1/e
+constexpr double ozone_middle_m = 25e3, ozone_half_width_m = 15e3;  // a tent
+constexpr double eye_m = 2;                                         // above the ground
 constexpr float haze_albedo = 0.94f, haze_asymmetry = 0.8f, ground_albedo = 0.2f;
 
 constexpr int heights = 32, zenith_cosines = 128;    // transmittance table
@@ -29,7 +29,9 @@ double discriminant(const Sight& s, double sphere_radius) {
   return sphere_radius * sphere_radius - s.radius * s.radius * (1.0 - s.cosine * s.cosine);
 }
 
-bool meets_ground(const Sight& s) { return s.cosine < 0.0 && discriminant(s, ground_m) >= 0.0; }
+bool meets_ground(const Sight& s) {
+  return s.cosine < 0.0 && discriminant(s, ground_m) >= 0.0;
+}
 
 /// To where the ray leaves the air: the ground or the top.
 double distance_through_air(const Sight& s) {
@@ -37,10 +39,11 @@ double distance_through_air(const Sight& s) {
   return std::max(0.0, -s.radius * s.cosine + std::sqrt(std::max(0.0, discriminant(s, top_m))));
 }
 
-/// The sight's point moved along it, there looking in a direction whose cosine to the zenith was `cosine_at_start` and
-/// to the sight is `cosine_to_sight`.
+/// The sight's point moved along it, there looking in a direction whose cosine to the zenith was
+/// `cosine_at_start` and to the sight is `cosine_to_sight`.
 Sight seen_along(const Sight& s, double distance, double cosine_at_start, double cosine_to_sight) {
-  const double radius = std::sqrt(distance * distance + 2.0 * s.radius * s.cosine * distance + s.radius * s.radius);
+  const double radius =
+      std::sqrt(distance * distance + 2.0 * s.radius * s.cosine * distance + s.radius * s.radius);
   return {std::clamp(radius, ground_m, top_m),
           std::clamp((s.radius * cosine_at_start + distance * cosine_to_sight) / radius, -1.0, 1.0)};
 }
@@ -52,7 +55,8 @@ struct Medium {
 Medium medium_at(const Atmosphere& a, double height) {
   const auto air = static_cast<float>(std::exp(-height / rayleigh_height_m));
   const auto haze = static_cast<float>(std::exp(-height / haze_height_m));
-  const auto ozone = static_cast<float>(std::max(0.0, 1.0 - std::abs(height - ozone_middle_m) / ozone_half_width_m));
+  const auto ozone =
+      static_cast<float>(std::max(0.0, 1.0 - std::abs(height - ozone_middle_m) / ozone_half_width_m));
   Medium medium;
   medium.rayleigh = a.rayleigh_scattering * air;
   medium.haze = a.haze_scattering * haze;
@@ -90,7 +94,8 @@ Spectrum lookup(const std::vector<Spectrum>& table, int width, int height, doubl
   const int ix = std::min(static_cast<int>(px), width - 2), iy = std::min(static_cast<int>(py), height - 2);
   const float fx = px - static_cast<float>(ix), fy = py - static_cast<float>(iy);
   const Spectrum* row = &table[static_cast<std::size_t>(iy) * width + ix];
-  return (row[0] * (1.0f - fx) + row[1] * fx) * (1.0f - fy) + (row[width] * (1.0f - fx) + row[width + 1] * fx) * fy;
+  return (row[0] * (1.0f - fx) + row[1] * fx) * (1.0f - fy) +
+         (row[width] * (1.0f - fx) + row[width + 1] * fx) * fy;
 }
 
 // The transmittance table's coordinates are distances, which vary smoothly where cosines crowd at the horizon
@@ -113,7 +118,8 @@ std::vector<Spectrum> make_transmittance_table(const Atmosphere& a) {
     for (int x = 0; x < zenith_cosines; ++x) {
       const double nearest = top_m - radius, farthest = rho + horizon_of_top_m;
       const double d = nearest + (farthest - nearest) * x / (zenith_cosines - 1);
-      const double cosine = d == 0 ? 1 : (horizon_of_top_m * horizon_of_top_m - rho * rho - d * d) / (2 * radius * d);
+      const double cosine =
+          d == 0 ? 1 : (horizon_of_top_m * horizon_of_top_m - rho * rho - d * d) / (2 * radius * d);
       // At the horizon the rounded cosine must not dip the ray into the ground.
       const double horizon = -std::sqrt(std::max(0.0, 1 - ground_m * ground_m / (radius * radius)));
       table[static_cast<std::size_t>(y) * zenith_cosines + x] =
@@ -124,36 +130,46 @@ std::vector<Spectrum> make_transmittance_table(const Atmosphere& a) {
 }
 
 // The multiple scattering table: height by its square root, the sun's cosine evenly.
-double row_of_height(double height) { return std::sqrt(std::max(0.0, height) / (top_m - ground_m)); }
-double height_of_row(double row) { return row * row * (top_m - ground_m); }
+double row_of_height(double height) {
+  return std::sqrt(std::max(0.0, height) / (top_m - ground_m));
+}
+double height_of_row(double row) {
+  return row * row * (top_m - ground_m);
+}
 
 Spectrum higher_orders(const Atmosphere& a, const Sight& towards_sun) {
   return lookup(a.multiple_scattering, ms_sun_cosines, ms_heights, 0.5 + 0.5 * towards_sun.cosine,
                 row_of_height(towards_sun.radius - ground_m));
 }
 
-/// Hillaire's equations 5 to 10: light scattered twice, summed over all directions with an even phase function, and the
-/// share of it that every further order keeps, as a geometric series.
+/// Hillaire's equations 5 to 10: light scattered twice, summed over all directions with an even phase
+/// function, and the share of it that every further order keeps, as a geometric series.
 Spectrum scattered_more_than_once(const Atmosphere& a, const Sight& towards_sun) {
   constexpr int directions = 64, steps = 24;
-  constexpr float even_phase = static_cast<float>(1 / (4 * pi)), ground_bsdf = static_cast<float>(ground_albedo / pi);
+  constexpr float even_phase = static_cast<float>(1 / (4 * pi)),
+                  ground_bsdf = static_cast<float>(ground_albedo / pi);
   const double sun_sine = std::sqrt(1.0 - towards_sun.cosine * towards_sun.cosine);
   Spectrum second_order = Spectrum::Zero(), kept = Spectrum::Zero();
   for (int i = 0; i < directions; ++i) {
     // A spherical Fibonacci lattice.
     const double cosine = 1.0 - (2.0 * i + 1.0) / directions;
     const double azimuth = i * pi * (3.0 - std::sqrt(5.0));
-    const double cos_to_sun = cosine * towards_sun.cosine + std::sqrt(1.0 - cosine * cosine) * sun_sine * std::cos(azimuth);
+    const double cos_to_sun =
+        cosine * towards_sun.cosine + std::sqrt(1.0 - cosine * cosine) * sun_sine * std::cos(azimuth);
     const Sight from{towards_sun.radius, cosine};
-    const auto sun_from = [&](double distance) { return seen_along(from, distance, towards_sun.cosine, cos_to_sun); };
-    const Spectrum through = march(a, from, steps, [&](double distance, const Spectrum& in_step, const Medium& medium) {
-      const Spectrum scattered = (medium.rayleigh + medium.haze) * in_step;
-      second_order += even_phase * scattered * sun_transmittance(a, sun_from(distance));
-      kept += scattered;
-    });
+    const auto sun_from = [&](double distance) {
+      return seen_along(from, distance, towards_sun.cosine, cos_to_sun);
+    };
+    const Spectrum through =
+        march(a, from, steps, [&](double distance, const Spectrum& in_step, const Medium& medium) {
+          const Spectrum scattered = (medium.rayleigh + medium.haze) * in_step;
+          second_order += even_phase * scattered * sun_transmittance(a, sun_from(distance));
+          kept += scattered;
+        });
     if (meets_ground(from)) {
       const Sight sun = sun_from(distance_through_air(from));
-      second_order += through * sun_transmittance(a, sun) * (ground_bsdf * static_cast<float>(std::max(0.0, sun.cosine)));
+      second_order +=
+          through * sun_transmittance(a, sun) * (ground_bsdf * static_cast<float>(std::max(0.0, sun.cosine)));
     }
   }
   return second_order / directions / (1.0f - kept / directions);
@@ -162,22 +178,27 @@ Spectrum scattered_more_than_once(const Atmosphere& a, const Sight& towards_sun)
 std::vector<Spectrum> make_multiple_scattering_table(const Atmosphere& a) {
   std::vector<Spectrum> table(static_cast<std::size_t>(ms_heights) * ms_sun_cosines);
   tbb::parallel_for(0, ms_heights, [&](int y) {
-    const double height = std::clamp(height_of_row(static_cast<double>(y) / (ms_heights - 1)), 1.0, top_m - ground_m - 1.0);
+    const double height =
+        std::clamp(height_of_row(static_cast<double>(y) / (ms_heights - 1)), 1.0, top_m - ground_m - 1.0);
     for (int x = 0; x < ms_sun_cosines; ++x) {
       const double cosine = 2.0 * x / (ms_sun_cosines - 1) - 1.0;
-      table[static_cast<std::size_t>(y) * ms_sun_cosines + x] = scattered_more_than_once(a, {ground_m + height, cosine});
+      table[static_cast<std::size_t>(y) * ms_sun_cosines + x] =
+          scattered_more_than_once(a, {ground_m + height, cosine});
     }
   });
   return table;
 }
 
-float rayleigh_phase(double cosine) { return static_cast<float>(3.0 / (16.0 * pi) * (1.0 + cosine * cosine)); }
+float rayleigh_phase(double cosine) {
+  return static_cast<float>(3.0 / (16.0 * pi) * (1.0 + cosine * cosine));
+}
 
 /// Cornette & Shanks (1992).
 float haze_phase(double cosine) {
   constexpr double g = haze_asymmetry, g2 = g * g;
   const double d = 1.0 + g2 - 2.0 * g * cosine;
-  return static_cast<float>(3.0 / (8.0 * pi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosine * cosine) / (d * std::sqrt(d)));
+  return static_cast<float>(3.0 / (8.0 * pi) * (1.0 - g2) / (2.0 + g2) * (1.0 + cosine * cosine) /
+                            (d * std::sqrt(d)));
 }
 
 }  // namespace
@@ -186,7 +207,8 @@ Atmosphere make_atmosphere(double turbidity) {
   Atmosphere a;
   const Spectrum um = wavelengths_um();
   a.sunlight = solar_irradiance();
-  // Air at sea level: 1.24062e-6/m at 1 µm (as in Bruneton's 2017 implementation of Bruneton & Neyret 2008), by λ⁻⁴.
+  // Air at sea level: 1.24062e-6/m at 1 µm (as in Bruneton's 2017 implementation of Bruneton & Neyret 2008),
+  // by λ⁻⁴.
   a.rayleigh_scattering = 1.24062e-6f / um.square().square();
   // Vertical optical depth of the haze β λ^−1.3 (Preetham et al. 1999, appendix 1).
   const float beta = std::max(0.0f, 0.04608f * static_cast<float>(turbidity) - 0.04586f);

@@ -11,8 +11,8 @@
 namespace cps {
 namespace {
 
-constexpr float dielectric_f0 = 0.04f;    // index 1.5 against air
-constexpr float smallest_alpha = 1e-3f;   // a mirror, for all that 24-bit floats can tell
+constexpr float dielectric_f0 = 0.04f;   // index 1.5 against air
+constexpr float smallest_alpha = 1e-3f;  // a mirror, for all that 24-bit floats can tell
 constexpr float inv_pi = std::numbers::inv_pi_v<float>;
 
 }  // namespace
@@ -40,7 +40,8 @@ BsdfValue evaluate_bsdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   const float schlick = schlick_weight(wo.dot(h));
   const Color fresnel = bsdf.f0 + (1.0f - bsdf.f0) * schlick;
   const float layer = ggx_distribution(h, bsdf.alpha) * smith_visibility(wo.z(), wi.z(), bsdf.alpha);
-  const float base = inv_pi * bsdf.base_share * (1.0f - specular_albedo(bsdf.roughness, wi.z())(dielectric_f0));
+  const float base =
+      inv_pi * bsdf.base_share * (1.0f - specular_albedo(bsdf.roughness, wi.z())(dielectric_f0));
 
   const float p = bsdf.specular_probability;
   return {(fresnel * layer + bsdf.diffuse * base) * wi.z(),

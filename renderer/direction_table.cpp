@@ -6,7 +6,8 @@
 namespace cps {
 namespace {
 
-/// The step of a cumulative function that u falls into, and where within it. Steps of no height are never chosen.
+/// The step of a cumulative function that u falls into, and where within it. Steps of no height are never
+/// chosen.
 struct Step {
   int index;
   float fraction;
@@ -34,7 +35,8 @@ DirectionSample DirectionDistribution::sample(const Eigen::Vector2f& u) const {
   const float low = elevation_sine_of_row(static_cast<float>(row.index) / static_cast<float>(rows));
   const float high = elevation_sine_of_row(static_cast<float>(row.index + 1) / static_cast<float>(rows));
   const float turns = (static_cast<float>(column.index) + column.fraction) / static_cast<float>(columns);
-  return {direction_at(turns, low + row.fraction * (high - low)), density[row.index * columns + column.index]};
+  return {direction_at(turns, low + row.fraction * (high - low)),
+          density[row.index * columns + column.index]};
 }
 
 DirectionDistribution make_direction_distribution(int columns, int rows, const std::vector<float>& weights) {
@@ -59,7 +61,8 @@ DirectionDistribution make_direction_distribution(int columns, int rows, const s
     const double high = elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(rows));
     const double cell_sr = (high - low) * 2.0 * std::numbers::pi / columns;
     std::vector<double> masses;
-    for (int column = 0; column < columns; ++column) masses.push_back(result.density[row * columns + column] * cell_sr);
+    for (int column = 0; column < columns; ++column)
+      masses.push_back(result.density[row * columns + column] * cell_sr);
     row_masses.push_back(accumulate(masses, result.column_cdf));
   }
   const double total = accumulate(row_masses, result.row_cdf);

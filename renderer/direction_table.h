@@ -8,11 +8,12 @@
 
 namespace cps {
 
-/// The sphere of directions as a table: columns by azimuth about +y, rows by √|y| from straight down to straight up, so
-/// that rows crowd at the horizon. Both coordinates run over [0, 1].
+/// The sphere of directions as a table: columns by azimuth about +y, rows by √|y| from straight down to
+/// straight up, so that rows crowd at the horizon. Both coordinates run over [0, 1].
 inline Eigen::Vector2f table_coordinates(const Vec3& direction) {
   const float y = direction.y();
-  return {turns_of_vector(direction.x(), direction.z()), 0.5f + std::copysign(0.5f * std::sqrt(std::min(std::abs(y), 1.0f)), y)};
+  return {turns_of_vector(direction.x(), direction.z()),
+          0.5f + std::copysign(0.5f * std::sqrt(std::min(std::abs(y), 1.0f)), y)};
 }
 
 inline float elevation_sine_of_row(float row) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
-/// The few transcendental functions that the inner loop needs, as plain polynomials: fast, inlined, and the same bits on
-/// every machine (a C library may pick its own variant per CPU).
+/// The few transcendental functions that the inner loop needs, as plain polynomials: fast, inlined, and the
+/// same bits on every machine (a C library may pick its own variant per CPU).
 namespace cps {
 
 struct SinCos {
@@ -19,18 +19,23 @@ inline SinCos sincos_of_turns(float turns) {
   const int quarter = static_cast<int>(4.0f * turns + 0.5f);
   const float x = (turns - 0.25f * static_cast<float>(quarter)) * (2.0f * std::numbers::pi_v<float>);
   const float x2 = x * x;
-  const float s = x * (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880)))));
+  const float s =
+      x * (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040 + x2 * (1.0f / 362880)))));
   const float c = 1.0f + x2 * (-0.5f + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))));
   switch (quarter & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 
-/// Angle of (x, y) as a fraction of a turn in [0, 1), to 3e-7; 0 for the zero vector. Polynomial for atan on [0, 1] by
-/// Hastings (1955), "Approximations for digital computers", sheet 11.
+/// Angle of (x, y) as a fraction of a turn in [0, 1), to 3e-7; 0 for the zero vector. Polynomial for atan on
+/// [0, 1] by Hastings (1955), "Approximations for digital computers", sheet 11.
 inline float turns_of_vector(float x, float y) {
   const float ax = std::abs(x), ay = std::abs(y);
   const float largest = std::max(ax, ay);
@@ -38,7 +43,8 @@ inline float turns_of_vector(float x, float y) {
   const float t = std::min(ax, ay) / largest;
   const float t2 = t * t;
   float angle = t * (0.99997726f +
-                     t2 * (-0.33262347f + t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f - t2 * 0.01172120f)))));
+                     t2 * (-0.33262347f +
+                           t2 * (0.19354346f + t2 * (-0.11643287f + t2 * (0.05265332f - t2 * 0.01172120f)))));
   angle *= 0.5f * std::numbers::inv_pi_v<float>;
   if (ay > ax) angle = 0.25f - angle;
   if (x < 0.0f) angle = 0.5f - angle;
@@ -46,11 +52,13 @@ inline float turns_of_vector(float x, float y) {
   return angle < 1.0f ? angle : 0.0f;
 }
 
-/// Base-2 logarithm of a positive normal number, to 3e-6. With the mantissa m in [√½, √2), ln m = 2 artanh((m−1)/(m+1)).
+/// Base-2 logarithm of a positive normal number, to 3e-6. With the mantissa m in [√½, √2), ln m = 2
+/// artanh((m−1)/(m+1)).
 inline float log2_of(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const std::uint32_t above_sqrt2 = (bits & 0x007fffffu) > 0x003504f3u;
-  const float exponent = static_cast<float>(static_cast<int>(bits >> 23) - 127 + static_cast<int>(above_sqrt2));
+  const float exponent =
+      static_cast<float>(static_cast<int>(bits >> 23) - 127 + static_cast<int>(above_sqrt2));
   const float m = std::bit_cast<float>((bits & 0x007fffffu) | (above_sqrt2 ? 0x3f000000u : 0x3f800000u));
   const float s = (m - 1.0f) / (m + 1.0f);
   const float s2 = s * s;

@@ -8,34 +8,44 @@
 namespace cps {
 namespace {
 
-/// Copies of a mesh up to this many triangles in all are flattened: one BVH without instance transforms is faster.
+/// Copies of a mesh up to this many triangles in all are flattened: one BVH without instance transforms is
+/// faster.
 constexpr std::size_t flatten_up_to_triangles = 20000;
 
 void check_mesh(const Scene& scene, const Mesh& mesh) {
-  const auto fail = [&](const std::string& what) { throw std::runtime_error("mesh '" + mesh.name + "': " + what); };
+  const auto fail = [&](const std::string& what) {
+    throw std::runtime_error("mesh '" + mesh.name + "': " + what);
+  };
   const std::size_t vertices = mesh.positions.size();
-  if (mesh.material < 0 || mesh.material >= static_cast<int>(scene.materials.size())) fail("names a material that the scene does not have");
-  if (mesh.normals.size() != vertices || mesh.uv0.size() != vertices) fail("needs a normal and a uv0 for every position");
+  if (mesh.material < 0 || mesh.material >= static_cast<int>(scene.materials.size()))
+    fail("names a material that the scene does not have");
+  if (mesh.normals.size() != vertices || mesh.uv0.size() != vertices)
+    fail("needs a normal and a uv0 for every position");
   const auto may_be_empty = [&](std::size_t size) { return size == 0 || size == vertices; };
-  if (!may_be_empty(mesh.uv1.size()) || !may_be_empty(mesh.tangents.size()) || !may_be_empty(mesh.colors.size())) {
+  if (!may_be_empty(mesh.uv1.size()) || !may_be_empty(mesh.tangents.size()) ||
+      !may_be_empty(mesh.colors.size())) {
     fail("uv1, tangents and colors must be empty or one per position");
   }
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    if (triangle.minCoeff() < 0 || static_cast<std::size_t>(triangle.maxCoeff()) >= vertices) fail("a triangle names a vertex that it does not have");
+    if (triangle.minCoeff() < 0 || static_cast<std::size_t>(triangle.maxCoeff()) >= vertices)
+      fail("a triangle names a vertex that it does not have");
   }
   const auto all_finite = [](const auto& values) {
-    for (const auto& value : values) if (!value.allFinite()) return false;
+    for (const auto& value : values)
+      if (!value.allFinite()) return false;
     return true;
   };
-  if (!all_finite(mesh.positions) || !all_finite(mesh.normals) || !all_finite(mesh.uv0) || !all_finite(mesh.uv1) ||
-      !all_finite(mesh.tangents) || !all_finite(mesh.colors)) {
+  if (!all_finite(mesh.positions) || !all_finite(mesh.normals) || !all_finite(mesh.uv0) ||
+      !all_finite(mesh.uv1) || !all_finite(mesh.tangents) || !all_finite(mesh.colors)) {
     fail("every vertex attribute must be finite");
   }
   const Material& material = scene.materials[mesh.material];
-  if (material.normal_texture.texture >= 0 && mesh.tangents.empty()) fail("its material has a normal map, so it needs tangents");
+  if (material.normal_texture.texture >= 0 && mesh.tangents.empty())
+    fail("its material has a normal map, so it needs tangents");
   for (const TextureSlot* slot : {&material.base_color_texture, &material.metallic_roughness_texture,
                                   &material.normal_texture, &material.emissive_texture}) {
-    if (slot->texture >= 0 && slot->uv_set == 1 && mesh.uv1.empty()) fail("its material reads uv1, which it does not have");
+    if (slot->texture >= 0 && slot->uv_set == 1 && mesh.uv1.empty())
+      fail("its material reads uv1, which it does not have");
   }
 }
 
@@ -51,7 +61,8 @@ Geometry make_geometry(const Mesh& mesh, const Eigen::Affine3f& transform, const
     PackedVertex& vertex = geometry.vertices[i];
     vertex.position = transform * mesh.positions[i];
     const Vec3 normal = (normal_transform * mesh.normals[i]).normalized();
-    vertex.normal = pack_direction(normal.allFinite() && normal.squaredNorm() > 0.5f ? normal : Vec3(0, 1, 0));
+    vertex.normal =
+        pack_direction(normal.allFinite() && normal.squaredNorm() > 0.5f ? normal : Vec3(0, 1, 0));
     vertex.uv = mesh.uv0[i];
     vertex.tangent = 0;
     vertex.bitangent_sign = 0;
@@ -67,7 +78,8 @@ Geometry make_geometry(const Mesh& mesh, const Eigen::Affine3f& transform, const
   }
   geometry.uv1 = mesh.uv1;
   geometry.colors.reserve(mesh.colors.size());
-  for (const Eigen::Vector4f& color : mesh.colors) geometry.colors.push_back(color.array().cast<Eigen::half>());
+  for (const Eigen::Vector4f& color : mesh.colors)
+    geometry.colors.push_back(color.array().cast<Eigen::half>());
   return geometry;
 }
 
@@ -94,10 +106,12 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
   std::vector<std::size_t> copies(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) {
     if (instance.mesh < 0 || instance.mesh >= static_cast<int>(scene.meshes.size())) {
-      throw std::runtime_error("scene '" + scene.name + "': an instance names a mesh that the scene does not have");
+      throw std::runtime_error("scene '" + scene.name +
+                               "': an instance names a mesh that the scene does not have");
     }
     if (!instance.world_from_mesh.matrix().allFinite()) {
-      throw std::runtime_error("mesh '" + scene.meshes[instance.mesh].name + "': its placement must be finite");
+      throw std::runtime_error("mesh '" + scene.meshes[instance.mesh].name +
+                               "': its placement must be finite");
     }
     ++copies[instance.mesh];
   }
@@ -114,7 +128,8 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
     // What is scaled to nothing has no surface (and no inverse).
     if (mesh.triangles.empty() || instance.world_from_mesh.linear().determinant() == 0) continue;
     Placement placement;
-    placement.shared = copies[instance.mesh] > 1 && copies[instance.mesh] * mesh.triangles.size() > flatten_up_to_triangles;
+    placement.shared =
+        copies[instance.mesh] > 1 && copies[instance.mesh] * mesh.triangles.size() > flatten_up_to_triangles;
     if (!placement.shared) {
       placement.geometry = static_cast<int>(jobs.size());
       jobs.push_back({&mesh, instance.world_from_mesh});
@@ -133,7 +148,8 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
   }
   result.geometries.resize(jobs.size());
   tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
-    result.geometries[i] = make_geometry(*jobs[i].mesh, jobs[i].transform, &materials.surfaces[jobs[i].mesh->material]);
+    result.geometries[i] =
+        make_geometry(*jobs[i].mesh, jobs[i].transform, &materials.surfaces[jobs[i].mesh->material]);
   });
   return result;
 }

@@ -10,13 +10,13 @@
 
 namespace cps {
 
-/// Triangles of one material as the tracer holds them: in world coordinates, or, if several placements share them, in
-/// the mesh's own.
+/// Triangles of one material as the tracer holds them: in world coordinates, or, if several placements share
+/// them, in the mesh's own.
 struct Geometry {
   std::vector<PackedVertex> vertices;
   std::vector<Eigen::Vector3i> triangles;
-  std::vector<Eigen::Vector2f> uv1;                       ///< empty or one per vertex
-  std::vector<Eigen::Array<Eigen::half, 4, 1>> colors;    ///< empty or one per vertex
+  std::vector<Eigen::Vector2f> uv1;                     ///< empty or one per vertex
+  std::vector<Eigen::Array<Eigen::half, 4, 1>> colors;  ///< empty or one per vertex
   const SurfaceMaterial* material = nullptr;
 
   /// Base colour's alpha where barycentric (u, v) hits a triangle, on the full image.
@@ -29,7 +29,8 @@ struct Placement {
   bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
   bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
-  Eigen::Matrix3f normal_from_mesh = Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front
+  Eigen::Matrix3f normal_from_mesh =
+      Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front
 };
 
 struct PlacedGeometry {

@@ -13,25 +13,32 @@ namespace {
 void check_texture(const Texture& texture) {
   const auto texels = static_cast<std::size_t>(std::max(texture.width, 0)) * std::max(texture.height, 0);
   if (texels == 0 || texture.rgba.size() != 4 * texels) {
-    throw std::runtime_error("texture '" + texture.name + "': " + std::to_string(texture.rgba.size()) + " bytes for " +
-                             std::to_string(texture.width) + "x" + std::to_string(texture.height) +
-                             " RGBA texels: the image must be complete");
+    throw std::runtime_error("texture '" + texture.name + "': " + std::to_string(texture.rgba.size()) +
+                             " bytes for " + std::to_string(texture.width) + "x" +
+                             std::to_string(texture.height) + " RGBA texels: the image must be complete");
   }
 }
 
 void check_material(const Scene& scene, const Material& material) {
-  const auto fail = [&](const std::string& what) { throw std::runtime_error("material '" + material.name + "': " + what); };
+  const auto fail = [&](const std::string& what) {
+    throw std::runtime_error("material '" + material.name + "': " + what);
+  };
   for (const TextureSlot* slot : {&material.base_color_texture, &material.metallic_roughness_texture,
                                   &material.normal_texture, &material.emissive_texture}) {
-    if (slot->texture >= static_cast<int>(scene.textures.size())) fail("names a texture that the scene does not have");
-    if (slot->texture >= 0 && (slot->uv_set < 0 || slot->uv_set > 1)) fail("texture coordinates must be set 0 or 1");
+    if (slot->texture >= static_cast<int>(scene.textures.size()))
+      fail("names a texture that the scene does not have");
+    if (slot->texture >= 0 && (slot->uv_set < 0 || slot->uv_set > 1))
+      fail("texture coordinates must be set 0 or 1");
     if (!slot->uv_transform.matrix().allFinite()) fail("its texture transform must be finite");
   }
-  if (!(material.base_color.array() >= 0).all() || !material.base_color.allFinite()) fail("base color must be >= 0");
-  if (!(material.emissive.array() >= 0).all() || !material.emissive.allFinite()) fail("emissive must be >= 0");
+  if (!(material.base_color.array() >= 0).all() || !material.base_color.allFinite())
+    fail("base color must be >= 0");
+  if (!(material.emissive.array() >= 0).all() || !material.emissive.allFinite())
+    fail("emissive must be >= 0");
   if (!(material.metallic >= 0 && material.metallic <= 1)) fail("metallic must lie in [0, 1]");
   if (!(material.roughness >= 0 && material.roughness <= 1)) fail("roughness must lie in [0, 1]");
-  if (!std::isfinite(material.normal_scale) || !std::isfinite(material.alpha_cutoff)) fail("factors must be finite");
+  if (!std::isfinite(material.normal_scale) || !std::isfinite(material.alpha_cutoff))
+    fail("factors must be finite");
 }
 
 TextureLookup make_lookup(const TextureSlot& slot, const MipTexture* texture) {
@@ -75,7 +82,8 @@ Materials make_materials(const Scene& scene) {
     result.textures[i] = make_mip_texture(scene.textures[keys[i].first], keys[i].second);
   });
   const auto lookup = [&](const TextureSlot& slot, bool weigh_by_alpha) {
-    return make_lookup(slot, slot.texture < 0 ? nullptr : &result.textures[pyramid_of.at({slot.texture, weigh_by_alpha})]);
+    return make_lookup(
+        slot, slot.texture < 0 ? nullptr : &result.textures[pyramid_of.at({slot.texture, weigh_by_alpha})]);
   };
 
   result.surfaces.reserve(scene.materials.size());
@@ -85,15 +93,18 @@ Materials make_materials(const Scene& scene) {
     surface.metallic = material.metallic;
     surface.roughness = material.roughness;
     surface.emissive = material.emissive.array();
-    surface.base_color_texture = lookup(material.base_color_texture, material.alpha_mode != AlphaMode::opaque);
+    surface.base_color_texture =
+        lookup(material.base_color_texture, material.alpha_mode != AlphaMode::opaque);
     surface.metallic_roughness_texture = lookup(material.metallic_roughness_texture, false);
     surface.normal_texture = lookup(material.normal_texture, false);
     surface.emissive_texture = lookup(material.emissive_texture, false);
     surface.normal_scale = material.normal_scale;
     surface.alpha_mode = material.alpha_mode;
     surface.alpha_cutoff = material.alpha_cutoff;
-    if (material.alpha_mode == AlphaMode::mask && surface.base_color_texture.texture && material.base_color.w() > 0) {
-      surface.mask = make_alpha_mask(*surface.base_color_texture.texture, material.alpha_cutoff / material.base_color.w());
+    if (material.alpha_mode == AlphaMode::mask && surface.base_color_texture.texture &&
+        material.base_color.w() > 0) {
+      surface.mask = make_alpha_mask(*surface.base_color_texture.texture,
+                                     material.alpha_cutoff / material.base_color.w());
     }
     surface.double_sided = material.double_sided;
     surface.emits = (material.emissive.array() > 0).any();

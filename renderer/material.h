@@ -22,7 +22,9 @@ struct TextureLookup {
   Eigen::Matrix<float, 2, 3> transform;
   float log2_texels_per_uv = 0;
 
-  Eigen::Vector2f coordinates(const Eigen::Vector2f& uv) const { return transform.leftCols<2>() * uv + transform.col(2); }
+  Eigen::Vector2f coordinates(const Eigen::Vector2f& uv) const {
+    return transform.leftCols<2>() * uv + transform.col(2);
+  }
   Eigen::Array4f sample(const TextureFootprint& at) const {
     if (!texture) return Eigen::Array4f::Ones();
     return texture->sample(coordinates(at.uv[uv_set]), at.log2_width[uv_set] + log2_texels_per_uv);
@@ -48,8 +50,8 @@ struct Materials {
   std::vector<SurfaceMaterial> surfaces;  ///< numbered as the scene's
 };
 
-/// Builds the mip pyramids and resolves the scene's materials. Throws std::runtime_error where an index, a size or a
-/// number in the scene is off.
+/// Builds the mip pyramids and resolves the scene's materials. Throws std::runtime_error where an index, a
+/// size or a number in the scene is off.
 Materials make_materials(const Scene& scene);
 
 }  // namespace cps

@@ -21,12 +21,16 @@ Eigen::Array4f decoded(const MipTexture& texture, std::uint32_t rgba) {
           static_cast<float>(rgba >> 24) * (1.0f / 255.0f)};
 }
 
-Eigen::Array4f bilinear(const MipTexture& texture, const MipTexture::Level& level, const Eigen::Vector2f& uv) {
+Eigen::Array4f bilinear(const MipTexture& texture, const MipTexture::Level& level,
+                        const Eigen::Vector2f& uv) {
   const TexelPair x = texel_pair(uv.x(), level.width, texture.wrap_u);
   const TexelPair y = texel_pair(uv.y(), level.height, texture.wrap_v);
-  const auto at = [&](int tx, int ty) { return decoded(texture, texture.texels[texel_index(level, tx, ty)]); };
+  const auto at = [&](int tx, int ty) {
+    return decoded(texture, texture.texels[texel_index(level, tx, ty)]);
+  };
   const Eigen::Array4f top = at(x.first, y.first) * (1.0f - x.fraction) + at(x.second, y.first) * x.fraction;
-  const Eigen::Array4f bottom = at(x.first, y.second) * (1.0f - x.fraction) + at(x.second, y.second) * x.fraction;
+  const Eigen::Array4f bottom =
+      at(x.first, y.second) * (1.0f - x.fraction) + at(x.second, y.second) * x.fraction;
   return top * (1.0f - y.fraction) + bottom * y.fraction;
 }
 
@@ -58,21 +62,27 @@ Plane halved(const Plane& source) {
   for (int y = 0; y < source.height; ++y) {
     const Eigen::Array4f* from = &source.rgba[static_cast<std::size_t>(y) * source.width];
     Eigen::Array4f* to = &across.rgba[static_cast<std::size_t>(y) * across.width];
-    halve_line(source.width, across.width, [&](int x) { return from[x]; },
-               [&](int x, const Eigen::Array4f& v) { to[x] = v; });
+    halve_line(
+        source.width, across.width, [&](int x) { return from[x]; },
+        [&](int x, const Eigen::Array4f& v) { to[x] = v; });
   }
   Plane result{across.width, std::max(1, source.height / 2), {}};
   result.rgba.resize(static_cast<std::size_t>(result.width) * result.height);
   for (int x = 0; x < across.width; ++x) {
-    halve_line(across.height, result.height,
-               [&](int y) { return across.rgba[static_cast<std::size_t>(y) * across.width + x]; },
-               [&](int y, const Eigen::Array4f& v) { result.rgba[static_cast<std::size_t>(y) * result.width + x] = v; });
+    halve_line(
+        across.height, result.height,
+        [&](int y) { return across.rgba[static_cast<std::size_t>(y) * across.width + x]; },
+        [&](int y, const Eigen::Array4f& v) {
+          result.rgba[static_cast<std::size_t>(y) * result.width + x] = v;
+        });
   }
   return result;
 }
 
 std::uint32_t packed(const Eigen::Array4f& rgba, bool srgb, bool weighed_by_alpha) {
-  const auto to_byte = [](float v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); };
+  const auto to_byte = [](float v) {
+    return static_cast<std::uint32_t>(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f);
+  };
   const Eigen::Array4f v = weighed_by_alpha && rgba.w() > 0.0f ? Eigen::Array4f(rgba / rgba.w()) : rgba;
   std::uint32_t bits = to_byte(rgba.w()) << 24;
   for (int c = 0; c < 3; ++c) bits |= (srgb ? srgb_encode(v[c]) : to_byte(v[c])) << (8 * c);
@@ -89,11 +99,14 @@ MipTexture::Level append_level(MipTexture& texture, int width, int height) {
 
 }  // namespace
 
-Eigen::Array4f MipTexture::texel(int x, int y) const { return decoded(*this, texels[texel_index(levels[0], x, y)]); }
+Eigen::Array4f MipTexture::texel(int x, int y) const {
+  return decoded(*this, texels[texel_index(levels[0], x, y)]);
+}
 
 Eigen::Array4f MipTexture::sample(const Eigen::Vector2f& uv, float level_of_detail) const {
   if (nearest) {
-    return texel(nearest_texel(uv.x(), levels[0].width, wrap_u), nearest_texel(uv.y(), levels[0].height, wrap_v));
+    return texel(nearest_texel(uv.x(), levels[0].width, wrap_u),
+                 nearest_texel(uv.y(), levels[0].height, wrap_v));
   }
   const auto last = static_cast<float>(levels.size() - 1);
   const float lod = std::clamp(level_of_detail, 0.0f, last);

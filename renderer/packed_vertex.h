@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// Unit vectors in 32 bits: the octahedron unfolded to a square (Meyer et al. 2010; Cigolle et al. 2014), within
-/// 0.004°. Axis directions are exact.
+/// Unit vectors in 32 bits: the octahedron unfolded to a square (Meyer et al. 2010; Cigolle et al. 2014),
+/// within 0.004°. Axis directions are exact.
 inline Eigen::Vector2f octahedral(const Vec3& v) {
   const Vec3 n = v / v.cwiseAbs().sum();
   if (n.z() >= 0.0f) return n.head<2>();
@@ -27,7 +27,8 @@ inline Vec3 from_octahedral(const Eigen::Vector2f& square) {
 /// 16 bits a coordinate.
 inline std::uint32_t pack_direction(const Vec3& v) {
   const Eigen::Vector2f o = octahedral(v) * 32767.0f;
-  return static_cast<std::uint16_t>(std::lround(o.x())) | static_cast<std::uint32_t>(std::lround(o.y())) << 16;
+  return static_cast<std::uint16_t>(std::lround(o.x())) | static_cast<std::uint32_t>(std::lround(o.y()))
+                                                              << 16;
 }
 
 inline Vec3 unpack_direction(std::uint32_t bits) {

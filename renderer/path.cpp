@@ -11,9 +11,15 @@ namespace {
 /// Pairs of random numbers that a vertex draws.
 enum VertexPair : std::uint32_t { pair_sun, pair_sky, pair_bsdf, pair_lobe_and_roulette, pairs_per_vertex };
 
-/// Angle by which a bounce widens the footprint for texture lookups: about a quarter of the lobe's width. What a wide
-/// lobe sees is averaged anyway, so only the cost of fine mip levels is at stake.
+/// Angle by which a bounce widens the footprint for texture lookups: about a quarter of the lobe's width.
+/// What a wide lobe sees is averaged anyway, so only the cost of fine mip levels is at stake.
 constexpr float diffuse_spread = 0.25f;
+
+/// Mirrors seen by way of a diffuse surface count as this rough. The pools of sunlight that they throw would
+/// otherwise be found by one path in thousands and speckle the picture; so they are spread out instead
+/// (Kaplanyan & Dachsbacher 2013, "Path space regularization"). What the camera sees directly or in mirrors
+/// keeps its gloss.
+constexpr float roughness_after_diffuse = 0.6f;
 
 /// Light on its way from a lamp to a vertex, should nothing stand between.
 struct ShadowRay {
@@ -22,7 +28,8 @@ struct ShadowRay {
   bool wanted = false;
 };
 
-/// Power heuristic (Veach 1997, β = 2) for a direction drawn with density `pdf` that another strategy draws with `other`.
+/// Power heuristic (Veach 1997, β = 2) for a direction drawn with density `pdf` that another strategy draws
+/// with `other`.
 float mis_weight(float pdf, float other) {
   if (std::isinf(pdf)) return 1.0f;
   const float ratio = other / pdf;
@@ -38,7 +45,8 @@ Color light_from_beyond(const RenderScene& scene, const Path& path) {
 }
 
 /// The light that a vertex would get from `direction`, drawn from a lamp with density `pdf`.
-ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf, const Color& radiance) {
+ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf,
+                     const Color& radiance) {
   ShadowRay shadow;
   if (surface.geometric_normal.dot(direction) <= 0.0f) return shadow;
   const BsdfValue bsdf = evaluate_bsdf(surface.bsdf, surface.wo, surface.shading.to_local(direction));
@@ -49,12 +57,14 @@ ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direc
   return shadow;
 }
 
-ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface, const Eigen::Vector2f& u) {
+ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface,
+                      const Eigen::Vector2f& u) {
   if (!scene.sun.shines()) return {};
   return shadow_ray(path, surface, scene.sun.sample(u), scene.sun.pdf, scene.sun.radiance);
 }
 
-ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface, const Eigen::Vector2f& u) {
+ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface,
+                      const Eigen::Vector2f& u) {
   const DirectionSample sample = scene.sky.distribution.sample(u);
   if (surface.geometric_normal.dot(sample.direction) <= 0.0f) return {};
   return shadow_ray(path, surface, sample.direction, sample.pdf, scene.sky.radiance(sample.direction));
@@ -70,7 +80,8 @@ void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first
   if (!path.alive) return;
   path.throughput *= sample.weight;
 
-  // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the sun).
+  // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the
+  // sun).
   const float survival = std::min(1.0f, std::sqrt(path.throughput.maxCoeff()));
   if (vertex > 0 && survival < 1.0f) {
     path.alive = lobe_and_roulette.y() < survival;
@@ -81,10 +92,13 @@ void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first
   path.ray = surface.leave(direction);
   path.pdf = sample.pdf;
   path.cone_spread += sample.specular ? diffuse_spread * surface.bsdf.alpha : diffuse_spread;
+  path.least_roughness = std::max(path.least_roughness,
+                                  sample.specular ? 0.5f * surface.bsdf.roughness : roughness_after_diffuse);
 }
 
-/// The nearest surface that shows. glTF hides the backs of single-sided materials from the viewer; light between
-/// surfaces meets them like fronts, so that a wall without a back casts a shadow and lets nothing through.
+/// The nearest surface that shows. glTF hides the backs of single-sided materials from the viewer; light
+/// between surfaces meets them like fronts, so that a wall without a back casts a shadow and lets nothing
+/// through.
 Hit first_visible(const RenderScene& scene, const Path& path, Hit hit, std::uint64_t& rays) {
   Ray ray = path.ray;
   while (hit && is_culled(scene.placed, ray, hit)) {
@@ -95,8 +109,8 @@ Hit first_visible(const RenderScene& scene, const Path& path, Hit hit, std::uint
   return hit;
 }
 
-void intersect_all(const RenderScene& scene, const Path (&paths)[packet_size], bool first, Hit (&hits)[packet_size],
-                   std::uint64_t& rays) {
+void intersect_all(const RenderScene& scene, const Path (&paths)[packet_size], bool first,
+                   Hit (&hits)[packet_size], std::uint64_t& rays) {
   if (first) {
     Ray lanes[packet_size];
     bool active[packet_size];
@@ -131,10 +145,13 @@ void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size
 
 std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
   std::uint64_t rays = 0;
-  const auto any_alive = [&] { return std::any_of(std::begin(paths), std::end(paths), [](const Path& p) { return p.alive; }); };
+  const auto any_alive = [&] {
+    return std::any_of(std::begin(paths), std::end(paths), [](const Path& p) { return p.alive; });
+  };
   for (int vertex = 0; any_alive(); ++vertex) {
     const bool first = vertex == 0;
-    const std::uint32_t first_pair = pair_first_vertex + pairs_per_vertex * static_cast<std::uint32_t>(vertex);
+    const std::uint32_t first_pair =
+        pair_first_vertex + pairs_per_vertex * static_cast<std::uint32_t>(vertex);
     Hit hits[packet_size];
     intersect_all(scene, paths, first, hits, rays);
 
@@ -152,7 +169,8 @@ std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Pat
         continue;
       }
       path.cone_width += path.cone_spread * hits[i].t;
-      const Surface surface = make_surface(scene.placed, path.ray, hits[i], path.cone_width);
+      const Surface surface =
+          make_surface(scene.placed, path.ray, hits[i], path.cone_width, path.least_roughness);
       path.radiance += path.throughput * surface.emission;
       sun_rays[i] = towards_sun(scene, path, surface, path.sampler.pair(first_pair + pair_sun));
       sky_rays[i] = towards_sky(scene, path, surface, path.sampler.pair(first_pair + pair_sky));

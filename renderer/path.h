@@ -11,7 +11,9 @@ struct Path {
   Sampler sampler;
   float cone_width = 0;   ///< metres that a pixel's cone spans at the ray's origin
   float cone_spread = 0;  ///< its opening angle, rad
-  float pdf = std::numeric_limits<float>::infinity();  ///< with which the ray's direction was drawn; infinite: no choice
+  float pdf = std::numeric_limits<float>::infinity();  ///< with which the ray's direction was drawn;
+                                                       ///< infinite: no choice
+  float least_roughness = 0;                           ///< of the surfaces to come
   Color throughput = Color::Ones();
   Color radiance = Color::Zero();  ///< the answer
   bool alive = false;
@@ -20,9 +22,9 @@ struct Path {
 /// Which pair of the sampler each decision draws.
 enum PairIndex : std::uint32_t { pair_pixel, pair_first_vertex };
 
-/// Traces the paths that are alive to their ends: unidirectional path tracing with next-event estimation of sun and sky,
-/// multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). They should start alike, since their
-/// first rays and first sun rays go as packets. Returns the number of rays.
+/// Traces the paths that are alive to their ends: unidirectional path tracing with next-event estimation of
+/// sun and sky, multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). They should
+/// start alike, since their first rays and first sun rays go as packets. Returns the number of rays.
 std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]);
 
 }  // namespace cps

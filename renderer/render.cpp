@@ -33,12 +33,16 @@ struct Lens {
 };
 
 Lens make_lens(const Camera& camera, int samples) {
-  // Many samples a pixel average over it themselves: finer texture lookups then keep the picture crisp where a surface
-  // is seen at a slant (as pbrt scales its differentials).
+  // Many samples a pixel average over it themselves: finer texture lookups then keep the picture crisp where
+  // a surface is seen at a slant (as pbrt scales its differentials).
   const float footprint = std::max(0.125f, 1.0f / std::sqrt(static_cast<float>(samples)));
-  return {camera.world_from_camera.translation().cast<float>(), camera.world_from_camera.linear().cast<float>(),
-          static_cast<float>(camera.pinhole.fx), static_cast<float>(camera.pinhole.fy),
-          static_cast<float>(camera.pinhole.cx), static_cast<float>(camera.pinhole.cy), footprint};
+  return {camera.world_from_camera.translation().cast<float>(),
+          camera.world_from_camera.linear().cast<float>(),
+          static_cast<float>(camera.pinhole.fx),
+          static_cast<float>(camera.pinhole.fy),
+          static_cast<float>(camera.pinhole.cx),
+          static_cast<float>(camera.pinhole.cy),
+          footprint};
 }
 
 /// Sample `index` of pixel (x, y): a point of the pixel's square, uniformly.
@@ -74,8 +78,8 @@ Offset morton(int index) {
 
 /// Means of a tile's pixels. Its samples, pixel after pixel, travel in packets: eight of one pixel, or of few
 /// neighbours where a pixel has fewer.
-std::uint64_t render_tile(const RenderScene& scene, const Lens& lens, const RenderOptions& options, int tile_x, int tile_y,
-                          int width, int height, float* pixels) {
+std::uint64_t render_tile(const RenderScene& scene, const Lens& lens, const RenderOptions& options,
+                          int tile_x, int tile_y, int width, int height, float* pixels) {
   std::uint64_t rays = 0;
   const int count = tile_size * tile_size * options.samples;
   Color sum = Color::Zero();
@@ -84,7 +88,8 @@ std::uint64_t render_tile(const RenderScene& scene, const Lens& lens, const Rend
     for (int i = 0; i < packet_size && first + i < count; ++i) {
       const Offset offset = morton((first + i) / options.samples);
       const int x = tile_x + offset.x, y = tile_y + offset.y;
-      if (x < width && y < height) paths[i] = camera_path(lens, options.seed, x, y, (first + i) % options.samples);
+      if (x < width && y < height)
+        paths[i] = camera_path(lens, options.seed, x, y, (first + i) % options.samples);
     }
     rays += trace_paths(scene, options.max_shaded_vertices, paths);
     for (int i = 0; i < packet_size && first + i < count; ++i) {
@@ -93,7 +98,8 @@ std::uint64_t render_tile(const RenderScene& scene, const Lens& lens, const Rend
       const Offset offset = morton((first + i) / options.samples);
       const int x = tile_x + offset.x, y = tile_y + offset.y;
       if (x < width && y < height) {
-        Eigen::Map<Color>(pixels + 3 * (static_cast<std::size_t>(y) * width + x)) = sum / static_cast<float>(options.samples);
+        Eigen::Map<Color>(pixels + 3 * (static_cast<std::size_t>(y) * width + x)) =
+            sum / static_cast<float>(options.samples);
       }
       sum = Color::Zero();
     }
@@ -109,25 +115,28 @@ bool RenderOptions::is_valid(std::string* why) const {
     return false;
   };
   if (samples < 1 || samples > 65536) return fail("samples: must lie in [1, 65536]");
-  if (max_shaded_vertices < 1 || max_shaded_vertices > 1000) return fail("max_shaded_vertices: must lie in [1, 1000]");
+  if (max_shaded_vertices < 1 || max_shaded_vertices > 1000)
+    return fail("max_shaded_vertices: must lie in [1, 1000]");
   return true;
 }
 
 std::string RenderSummary::brief() const {
   char line[160];
   const double ns = samples > 0 ? 1e9 * cpu_s / static_cast<double>(samples) : 0.0;
-  std::snprintf(line, sizeof line, "%.2f s (%.2f CPU-s), %.2f M samples at %.0f ns, %.2f rays each", wall_s, cpu_s,
-                1e-6 * static_cast<double>(samples), ns,
+  std::snprintf(line, sizeof line, "%.2f s (%.2f CPU-s), %.2f M samples at %.0f ns, %.2f rays each", wall_s,
+                cpu_s, 1e-6 * static_cast<double>(samples), ns,
                 samples > 0 ? static_cast<double>(rays) / static_cast<double>(samples) : 0.0);
   return line;
 }
 
-OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options, RenderSummary* summary) {
+OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
+                      RenderSummary* summary) {
   std::string why;
   if (!options.is_valid(&why)) throw std::runtime_error(why);
   const int width = camera.pinhole.width, height = camera.pinhole.height;
   if (width < 1 || height < 1) throw std::runtime_error("camera: width and height must be at least 1");
-  if (!(camera.pinhole.fx > 0 && camera.pinhole.fy > 0)) throw std::runtime_error("camera: fx and fy must be positive");
+  if (!(camera.pinhole.fx > 0 && camera.pinhole.fy > 0))
+    throw std::runtime_error("camera: fx and fy must be positive");
 
   const auto begin = std::chrono::steady_clock::now();
   const Lens lens = make_lens(camera, options.samples);
@@ -141,7 +150,8 @@ OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const Rend
         const FlushDenormals flush_denormals;
         const double cpu_begin = thread_cpu_s();
         for (int tile = tiles.begin(); tile != tiles.end(); ++tile) {
-          rays += render_tile(scene, lens, options, tile % across * tile_size, tile / across * tile_size, width, height, pixels);
+          rays += render_tile(scene, lens, options, tile % across * tile_size, tile / across * tile_size,
+                              width, height, pixels);
         }
         cpu_ns += static_cast<std::uint64_t>(1e9 * (thread_cpu_s() - cpu_begin));
       },

@@ -13,7 +13,8 @@
 
 namespace cps {
 
-/// A scene ready to be traced under one light: BVH, mip pyramids, sky tables. Built once per condition, then read-only.
+/// A scene ready to be traced under one light: BVH, mip pyramids, sky tables. Built once per condition, then
+/// read-only.
 struct RenderScene;
 std::shared_ptr<const RenderScene> build_render_scene(const Scene& scene, const Daylight& daylight);
 
@@ -24,8 +25,9 @@ struct Camera {
 };
 
 struct RenderOptions {
-  int samples = 64;             ///< per pixel
-  int max_shaded_vertices = 5;  ///< surface points at which a path gathers light; the ray leaving the last may still see the sky
+  int samples = 64;  ///< per pixel
+  int max_shaded_vertices =
+      5;  ///< surface points at which a path gathers light; the ray leaving the last may still see the sky
   std::uint64_t seed = 0;
   bool is_valid(std::string* why) const;
 };
@@ -36,8 +38,8 @@ struct RenderSummary {
   std::string brief() const;
 };
 
-/// Linear Rec. 709 radiance, three float channels, box-filtered pixels. A pure function of its arguments: the same
-/// bytes for any number of threads (TBB decides how many).
+/// Linear Rec. 709 radiance, three float channels, box-filtered pixels. A pure function of its arguments: the
+/// same bytes for any number of threads (TBB decides how many).
 OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
                       RenderSummary* summary = nullptr);
 

@@ -15,8 +15,9 @@ namespace {
 
 constexpr int sky_columns = 256, sky_rows = 128;
 constexpr int distribution_columns = 64, distribution_rows = 64;
-constexpr float plain_albedo = 0.2f;        // of the country around the scene
-constexpr float plain_depth_m = 60.0f;      // how far the eye seems above it, which sets how soon haze swallows it
+constexpr float plain_albedo = 0.2f;  // of the country around the scene
+constexpr float plain_depth_m =
+    60.0f;  // how far the eye seems above it, which sets how soon haze swallows it
 
 /// Direction of the middle of a cell.
 Vec3 cell_direction(const Sky& sky, int column, int row) {
@@ -25,7 +26,10 @@ Vec3 cell_direction(const Sky& sky, int column, int row) {
 }
 
 Sky empty_sky(int columns, int rows) {
-  return {columns, rows, std::vector<Eigen::Array4f>(static_cast<std::size_t>(columns) * rows, Eigen::Array4f::Zero()), {}};
+  return {columns,
+          rows,
+          std::vector<Eigen::Array4f>(static_cast<std::size_t>(columns) * rows, Eigen::Array4f::Zero()),
+          {}};
 }
 
 void set_cell(Sky& sky, int column, int row, const Color& radiance) {
@@ -40,8 +44,10 @@ DirectionDistribution distribution_of(const Sky& sky) {
     for (int column = 0; column < distribution_columns; ++column) {
       float sum = 0;
       for (int i = 0; i < points * points; ++i) {
-        const float x = (static_cast<float>(column) + (static_cast<float>(i % points) + 0.5f) / points) / distribution_columns;
-        const float y = (static_cast<float>(row) + (static_cast<float>(i / points) + 0.5f) / points) / distribution_rows;
+        const float x = (static_cast<float>(column) + (static_cast<float>(i % points) + 0.5f) / points) /
+                        distribution_columns;
+        const float y =
+            (static_cast<float>(row) + (static_cast<float>(i / points) + 0.5f) / points) / distribution_rows;
         sum += luminance(sky.radiance(direction_at(x, elevation_sine_of_row(y))));
       }
       weights.push_back(sum);
@@ -56,7 +62,8 @@ Color horizontal_irradiance(const Sky& sky) {
   for (int row = sky.rows / 2; row < sky.rows; ++row) {
     const float low = elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(sky.rows));
     const float high = elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(sky.rows));
-    const float cosine_sr = std::numbers::pi_v<float> * (high * high - low * low) / static_cast<float>(sky.columns);
+    const float cosine_sr =
+        std::numbers::pi_v<float> * (high * high - low * low) / static_cast<float>(sky.columns);
     for (int column = 0; column < sky.columns; ++column) {
       sum += cosine_sr * sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column].head<3>();
     }
@@ -76,7 +83,8 @@ Color Sky::radiance(const Vec3& direction) const {
   const float fx = x - floor_x, fy = y - static_cast<float>(row);
   const Eigen::Array4f* low = &radiance_table[static_cast<std::size_t>(row) * columns];
   const Eigen::Array4f* high = low + columns;
-  const Eigen::Array4f value = (low[left] * (1.0f - fx) + low[right] * fx) * (1.0f - fy) + (high[left] * (1.0f - fx) + high[right] * fx) * fy;
+  const Eigen::Array4f value = (low[left] * (1.0f - fx) + low[right] * fx) * (1.0f - fy) +
+                               (high[left] * (1.0f - fx) + high[right] * fx) * fy;
   return value.head<3>();
 }
 
@@ -84,7 +92,8 @@ Vec3 Sun::sample(const Eigen::Vector2f& u) const {
   const float chord2_here = u.y() * chord2;
   const SinCos azimuth = sincos_of_turns(u.x());
   const float sine = std::sqrt(chord2_here * (1.0f - 0.25f * chord2_here));
-  return frame_around(direction).to_world({sine * azimuth.cos, sine * azimuth.sin, 1.0f - 0.5f * chord2_here});
+  return frame_around(direction).to_world(
+      {sine * azimuth.cos, sine * azimuth.sin, 1.0f - 0.5f * chord2_here});
 }
 
 Sun make_sun(const Vec3& direction, double angular_diameter_rad, const Color& irradiance) {
@@ -115,7 +124,8 @@ SkyAndSun make_clear_day(const Daylight& daylight) {
     for (int column = 0; column < sky_columns; ++column) {
       const float depression_sine = -cell_direction(sky, column, row).y();
       const float through = ground_air_transmittance(atmosphere, plain_depth_m / depression_sine);
-      const Color horizon = sky.radiance_table[static_cast<std::size_t>(sky_rows / 2) * sky_columns + column].head<3>();
+      const Color horizon =
+          sky.radiance_table[static_cast<std::size_t>(sky_rows / 2) * sky_columns + column].head<3>();
       set_cell(sky, column, row, plain * through + horizon * (1.0f - through));
     }
   }

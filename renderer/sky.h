@@ -7,10 +7,12 @@
 
 namespace cps {
 
-/// All light from beyond the scene but the sun's disc: the computed sky, and below the horizon a lit, hazy plain.
+/// All light from beyond the scene but the sun's disc: the computed sky, and below the horizon a lit, hazy
+/// plain.
 struct Sky {
   int columns = 0, rows = 0;
-  std::vector<Eigen::Array4f> radiance_table;  ///< at the cells' middles, kcd/m²; the fourth number is padding
+  std::vector<Eigen::Array4f>
+      radiance_table;  ///< at the cells' middles, kcd/m²; the fourth number is padding
   DirectionDistribution distribution;
 
   Color radiance(const Vec3& direction) const;
@@ -18,10 +20,10 @@ struct Sky {
 
 /// The sun's disc, uniformly bright.
 struct Sun {
-  Vec3 direction;       ///< from the world to its centre
-  Color radiance;       ///< kcd/m²; 0 once it has set
-  float chord2;         ///< squared chord of its angular radius on the unit sphere; the disc covers π·chord² sr
-  float pdf;            ///< of every direction in the disc, 1/sr
+  Vec3 direction;  ///< from the world to its centre
+  Color radiance;  ///< kcd/m²; 0 once it has set
+  float chord2;    ///< squared chord of its angular radius on the unit sphere; the disc covers π·chord² sr
+  float pdf;       ///< of every direction in the disc, 1/sr
 
   bool shines() const { return (radiance > 0.0f).any(); }
   bool covers(const Vec3& from_world) const { return (from_world - direction).squaredNorm() <= chord2; }

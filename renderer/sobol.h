@@ -5,9 +5,9 @@
 
 #include "random/counter_hash.h"
 
-/// Owen-scrambled Sobol points by hashing (Burley 2020, "Practical hash-based Owen scrambling"): no tables and no state.
-/// High dimensions are padded: each pair of dimensions is the two-dimensional Sobol (0,2)-sequence, visited in an order
-/// and under a scramble of its own.
+/// Owen-scrambled Sobol points by hashing (Burley 2020, "Practical hash-based Owen scrambling"): no tables
+/// and no state. High dimensions are padded: each pair of dimensions is the two-dimensional Sobol
+/// (0,2)-sequence, visited in an order and under a scramble of its own.
 namespace cps {
 
 inline std::uint32_t reverse_bits(std::uint32_t x) {
@@ -17,8 +17,8 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// A random permutation of 32-bit numbers in which a bit is only influenced by lower bits: on reversed digits that is a
-/// nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
+/// A random permutation of 32-bit numbers in which a bit is only influenced by lower bits: on reversed digits
+/// that is a nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
 inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -28,9 +28,9 @@ inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// The second Sobol coordinate of `index` with its digits reversed. Its matrix is Pascal's triangle modulo 2, so read as
-/// a polynomial over GF(2) the index p(x) becomes p(x + 1): a Taylor shift in five steps. (The first coordinate, reversed,
-/// is the index itself.)
+/// The second Sobol coordinate of `index` with its digits reversed. Its matrix is Pascal's triangle modulo 2,
+/// so read as a polynomial over GF(2) the index p(x) becomes p(x + 1): a Taylor shift in five steps. (The
+/// first coordinate, reversed, is the index itself.)
 inline std::uint32_t sobol_1_reversed(std::uint32_t index) {
   index ^= (index >> 16) & 0x0000ffffu;
   index ^= (index >> 8) & 0x00ff00ffu;
@@ -40,28 +40,33 @@ inline std::uint32_t sobol_1_reversed(std::uint32_t index) {
 }
 
 /// 32 random digits → [0, 1), 24 bits.
-inline float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+inline float unit_float(std::uint32_t bits) {
+  return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
 
 /// The numbers one sample of one pixel draws: any pair in any order.
 struct Sampler {
   std::uint64_t pixel_key;
   std::uint32_t reversed_index;
 
-  /// Pair `set`, uniform in [0, 1)². Over the samples of a pixel each aligned power of two is an Owen-scrambled
-  /// (0,m,2)-net.
+  /// Pair `set`, uniform in [0, 1)². Over the samples of a pixel each aligned power of two is an
+  /// Owen-scrambled (0,m,2)-net.
   Eigen::Vector2f pair(std::uint32_t set) const {
     const std::uint64_t seeds = mix64(pixel_key + 0x9e3779b97f4a7c15ull * (set + 1));
     const auto order = static_cast<std::uint32_t>(seeds), scramble = static_cast<std::uint32_t>(seeds >> 32);
     const std::uint32_t index = reverse_bits(laine_karras(reversed_index, order));
     return {unit_float(reverse_bits(laine_karras(index, scramble))),
-            unit_float(reverse_bits(laine_karras(sobol_1_reversed(index), scramble * 0x9e3779b1u + 0x85ebca6bu)))};
+            unit_float(
+                reverse_bits(laine_karras(sobol_1_reversed(index), scramble * 0x9e3779b1u + 0x85ebca6bu)))};
   }
 };
 
 /// The sampler of sample `index` of pixel (x, y).
 inline Sampler make_sampler(std::uint64_t seed, int x, int y, std::uint32_t index) {
-  const std::uint64_t pixel = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
-  return {mix64(mix64(seed + 0x9e3779b97f4a7c15ull) ^ mix64(pixel + 0xd1b54a32d192ed03ull)), reverse_bits(index)};
+  const std::uint64_t pixel =
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
+  return {mix64(mix64(seed + 0x9e3779b97f4a7c15ull) ^ mix64(pixel + 0xd1b54a32d192ed03ull)),
+          reverse_bits(index)};
 }
 
 }  // namespace cps

@@ -1,5 +1,6 @@
 #include "renderer/spectrum.h"
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
@@ -19,10 +20,11 @@ constexpr Table solar = {1.01249f, 1.14716f, 1.72765f, 1.73054f, 1.6887f,  1.612
                          1.41018f, 1.36775f, 1.34188f, 1.31429f, 1.28303f};
 
 /// 1e-26 m².
-constexpr Table ozone = {0.02818f, 0.06636f, 0.1527f, 0.2763f, 0.552f,  0.8451f, 1.582f,  2.316f,  3.669f, 4.924f,
-                         7.752f,   9.016f,   14.8f,   16.02f,  21.39f,  27.55f,  30.91f,  35.0f,   42.66f, 46.72f,
-                         43.98f,   47.01f,   50.19f,  43.05f,  37.4f,   32.15f,  26.62f,  22.38f,  18.52f, 14.73f,
-                         12.09f,   9.423f,   7.455f,  6.566f,  5.105f,  4.15f,   4.228f};
+constexpr Table ozone = {0.02818f, 0.06636f, 0.1527f, 0.2763f, 0.552f, 0.8451f, 1.582f, 2.316f,
+                         3.669f,   4.924f,   7.752f,  9.016f,  14.8f,  16.02f,  21.39f, 27.55f,
+                         30.91f,   35.0f,    42.66f,  46.72f,  43.98f, 47.01f,  50.19f, 43.05f,
+                         37.4f,    32.15f,   26.62f,  22.38f,  18.52f, 14.73f,  12.09f, 9.423f,
+                         7.455f,   6.566f,   5.105f,  4.15f,   4.228f};
 
 /// Mean of a table, linear between its entries, over every bin.
 Spectrum binned(const Table& table) {
@@ -31,7 +33,8 @@ Spectrum binned(const Table& table) {
   for (int bin = 0; bin < bins; ++bin) {
     float sum = 0;
     for (int step = 0; step < steps; ++step) {
-      const float position = (static_cast<float>(bin) + (static_cast<float>(step) + 0.5f) / steps) * bin_nm / 10.0f;
+      const float position =
+          (static_cast<float>(bin) + (static_cast<float>(step) + 0.5f) / steps) * bin_nm / 10.0f;
       const int i = static_cast<int>(position);
       sum += table[i] + (position - static_cast<float>(i)) * (table[i + 1] - table[i]);
     }
@@ -47,22 +50,31 @@ double lobe(double nm, double mean, double below, double above) {
 }
 
 Eigen::Vector3d observer(double nm) {
-  return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) - 0.065 * lobe(nm, 501.1, 20.4, 26.2),
+  return {1.056 * lobe(nm, 599.8, 37.9, 31.0) + 0.362 * lobe(nm, 442.0, 16.0, 26.7) -
+              0.065 * lobe(nm, 501.1, 20.4, 26.2),
           0.821 * lobe(nm, 568.8, 46.9, 40.5) + 0.286 * lobe(nm, 530.9, 16.3, 31.1),
           1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
 }
 
 /// Rows: what a unit of spectral power in every bin adds to red, green and blue.
 Eigen::Matrix<float, 3, bins> rec709_from_bins() {
-  Eigen::Matrix3d rec709_from_xyz;  // IEC 61966-2-1, D65
-  rec709_from_xyz << 3.2406255, -1.5372080, -0.4986286, -0.9689307, 1.8757561, 0.0415175, 0.0557101, -0.2040211, 1.0569959;
+  Eigen::Matrix3d rec709_from_xyz, cones_from_xyz;
+  rec709_from_xyz << 3.2406255, -1.5372080, -0.4986286, -0.9689307, 1.8757561, 0.0415175, 0.0557101,
+      -0.2040211, 1.0569959;
+  cones_from_xyz << 0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685,
+      1.0296;  // Bradford (Lam 1985)
+  const Eigen::Vector3d d55(0.95682, 1, 0.92149), d65(0.95047, 1, 1.08883);
+  const Eigen::Vector3d gains = (cones_from_xyz * d65).cwiseQuotient(cones_from_xyz * d55);
+  const Eigen::Matrix3d balanced =
+      rec709_from_xyz * cones_from_xyz.inverse() * gains.asDiagonal() * cones_from_xyz;
   constexpr double kilolumen_per_watt = 0.683;
   constexpr int steps = 45;
   Eigen::Matrix<float, 3, bins> matrix;
   for (int bin = 0; bin < bins; ++bin) {
     Eigen::Vector3d xyz = Eigen::Vector3d::Zero();
-    for (int step = 0; step < steps; ++step) xyz += observer(first_nm + (bin + (step + 0.5) / steps) * bin_nm);
-    matrix.col(bin) = (kilolumen_per_watt * bin_nm / steps * (rec709_from_xyz * xyz)).cast<float>();
+    for (int step = 0; step < steps; ++step)
+      xyz += observer(first_nm + (bin + (step + 0.5) / steps) * bin_nm);
+    matrix.col(bin) = (kilolumen_per_watt * bin_nm / steps * (balanced * xyz)).cast<float>();
   }
   return matrix;
 }
@@ -73,9 +85,13 @@ Spectrum wavelengths_um() {
   return Spectrum::LinSpaced((first_nm + 0.5f * bin_nm) * 1e-3f, (first_nm + (bins - 0.5f) * bin_nm) * 1e-3f);
 }
 
-Spectrum solar_irradiance() { return binned(solar); }
+Spectrum solar_irradiance() {
+  return binned(solar);
+}
 
-Spectrum ozone_cross_section() { return binned(ozone) * 1e-26f; }
+Spectrum ozone_cross_section() {
+  return binned(ozone) * 1e-26f;
+}
 
 Color to_rec709(const Spectrum& spectrum) {
   static const Eigen::Matrix<float, 3, bins> matrix = rec709_from_bins();

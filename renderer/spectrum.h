@@ -18,8 +18,9 @@ Spectrum solar_irradiance();
 /// Absorption cross section of an ozone molecule at 233 K, m² (Serdyuchenko et al. 2014).
 Spectrum ozone_cross_section();
 
-/// W/(m² nm) → linear Rec. 709 in klx (and W/(m² nm sr) → kcd/m²), D65 white, by the CIE 1931 observer as fitted by
-/// Wyman, Sloan & Shirley (2013). Colours outside the gamut are clipped.
+/// W/(m² nm) → linear Rec. 709 in klx (and W/(m² nm sr) → kcd/m²), by the CIE 1931 observer as fitted by
+/// Wyman, Sloan & Shirley (2013). White is D55, as for a camera balanced for daylight; colours outside the
+/// gamut are clipped.
 Color to_rec709(const Spectrum& spectrum);
 
 }  // namespace cps

@@ -27,7 +27,8 @@ SpecularAlbedo integrate(float alpha, float cosine) {
     const float cos_h = wo.dot(h);
     const float cos_i = 2.0f * cos_h * h.z() - wo.z();
     if (cos_i <= 0.0f) continue;
-    const float weight = smith_visibility(cosine, cos_i, alpha) * 2.0f * cos_i * (cosine + smith_root(cosine, alpha));
+    const float weight =
+        smith_visibility(cosine, cos_i, alpha) * 2.0f * cos_i * (cosine + smith_root(cosine, alpha));
     const float fresnel = schlick_weight(cos_h);
     scale += weight * (1.0f - fresnel);
     bias += weight * fresnel;

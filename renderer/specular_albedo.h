@@ -2,15 +2,15 @@
 
 namespace cps {
 
-/// What a GGX surface reflects of a uniform white surrounding, split as f0·scale + bias (Karis 2013, "Real shading in
-/// Unreal Engine 4"), with Schlick's Fresnel reaching 1 at grazing.
+/// What a GGX surface reflects of a uniform white surrounding, split as f0·scale + bias (Karis 2013, "Real
+/// shading in Unreal Engine 4"), with Schlick's Fresnel reaching 1 at grazing.
 struct SpecularAlbedo {
   float scale, bias;
   float operator()(float f0) const { return f0 * scale + bias; }
 };
 
-/// Seen from a direction at `cosine` to the normal; `roughness` is glTF's (α = roughness²). From a table filled once,
-/// interpolated: within 0.003.
+/// Seen from a direction at `cosine` to the normal; `roughness` is glTF's (α = roughness²). From a table
+/// filled once, interpolated: within 0.003.
 SpecularAlbedo specular_albedo(float roughness, float cosine);
 
 /// The same averaged over the cosine-weighted hemisphere.

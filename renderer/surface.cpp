@@ -35,8 +35,8 @@ Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
   return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
 }
 
-/// Texture coordinates at the hit, and the ray's footprint in their units (ray cones: Akenine-Möller et al. 2019):
-/// the cone's width, stretched by the cosine, times the square root of uv area over world area.
+/// Texture coordinates at the hit, and the ray's footprint in their units (ray cones: Akenine-Möller et al.
+/// 2019): the cone's width, stretched by the cosine, times the square root of uv area over world area.
 TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, float width, float cosine) {
   TextureFootprint footprint;
   const float world_area = t.normal.norm();
@@ -59,12 +59,14 @@ TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, float
 }
 
 /// What a normal map does to the interpolated normal, in the world.
-Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, const TextureFootprint& footprint) {
+Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal,
+                   const TextureFootprint& footprint) {
   const SurfaceMaterial& material = *t.geometry.material;
   const auto& vertices = t.geometry.vertices;
   const float sign = vertices[t.corner.x()].bitangent_sign;
   if (sign == 0.0f) return normal;
-  Vec3 tangent = interpolate(unpack_direction(vertices[t.corner.x()].tangent), unpack_direction(vertices[t.corner.y()].tangent),
+  Vec3 tangent = interpolate(unpack_direction(vertices[t.corner.x()].tangent),
+                             unpack_direction(vertices[t.corner.y()].tangent),
                              unpack_direction(vertices[t.corner.z()].tangent), hit.u, hit.v);
   if (t.placement.shared) tangent = t.placement.world_from_mesh.linear() * tangent;
   tangent -= normal * normal.dot(tangent);
@@ -75,12 +77,13 @@ Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, c
 
   const Eigen::Array4f texel = material.normal_texture.sample(footprint);
   const Vec3 n = 2.0f * texel.head<3>().matrix() - Vec3::Ones();
-  return (material.normal_scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal).normalized();
+  return (material.normal_scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal)
+      .normalized();
 }
 
-/// Bends a shading normal so that the mirror image of `wo` leaves the true surface: without it a bump that faces away
-/// from the viewer, or reflects into the surface, turns black (as Keller et al. 2017, "The Iray light transport
-/// simulation and rendering system", section A.3).
+/// Bends a shading normal so that the mirror image of `wo` leaves the true surface: without it a bump that
+/// faces away from the viewer, or reflects into the surface, turns black (as Keller et al. 2017, "The Iray
+/// light transport simulation and rendering system", section A.3).
 Vec3 bent_towards_viewer(const Vec3& normal, const Vec3& geometric_normal, const Vec3& wo) {
   const Vec3 reflected = 2.0f * normal.dot(wo) * normal - wo;
   const float lowest = std::min(0.01f, 0.9f * geometric_normal.dot(wo));
@@ -97,7 +100,8 @@ bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit) {
   return world_triangle(placed, hit).normal.dot(ray.direction) > 0.0f;
 }
 
-Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width) {
+Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
+                     float least_roughness) {
   const WorldTriangle t = world_triangle(placed, hit);
   const Geometry& geometry = t.geometry;
   const SurfaceMaterial& material = *geometry.material;
@@ -105,7 +109,8 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
 
   Surface surface;
   surface.position = interpolate(t.positions[0], t.positions[1], t.positions[2], hit.u, hit.v);
-  // Coordinates are exact to 2^-24 of the largest one: a few roundings happen in transforms, interpolation and Embree.
+  // Coordinates are exact to 2^-24 of the largest one: a few roundings happen in transforms, interpolation
+  // and Embree.
   float largest = 0.0f;
   for (const Vec3& position : t.positions) largest = std::max(largest, position.cwiseAbs().maxCoeff());
   surface.clearance = 1e-6f * largest + 1e-6f;
@@ -133,7 +138,8 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   Eigen::Array4f base_color = material.base_color * material.base_color_texture.sample(footprint);
   if (!geometry.colors.empty()) {
     const auto color_of = [&](int i) -> Eigen::Array4f { return geometry.colors[i].cast<float>(); };
-    base_color *= interpolate(color_of(t.corner.x()), color_of(t.corner.y()), color_of(t.corner.z()), hit.u, hit.v);
+    base_color *=
+        interpolate(color_of(t.corner.x()), color_of(t.corner.y()), color_of(t.corner.z()), hit.u, hit.v);
   }
   float metallic = material.metallic, roughness = material.roughness;
   if (material.metallic_roughness_texture.texture) {
@@ -142,7 +148,8 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
     metallic *= texel.z();
   }
   // What reflects more than arrives would brighten with every bounce.
-  surface.bsdf = make_bsdf(base_color.head<3>().min(1.0f), metallic, roughness, surface.wo.z());
+  surface.bsdf = make_bsdf(base_color.head<3>().min(1.0f), metallic, std::max(roughness, least_roughness),
+                           surface.wo.z());
 
   surface.emission = Color::Zero();
   if (material.emits && (is_front || material.double_sided)) {

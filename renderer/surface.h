@@ -11,17 +11,20 @@ struct Surface {
   Vec3 position;
   Vec3 geometric_normal;  ///< on the ray's side
   Frame shading;
-  Vec3 wo;                ///< back along the ray, in the shading frame
+  Vec3 wo;  ///< back along the ray, in the shading frame
   Bsdf bsdf;
-  Color emission;         ///< radiance towards wo
-  float clearance;        ///< metres that a ray must start off the surface, by rounding of the coordinates
+  Color emission;   ///< radiance towards wo
+  float clearance;  ///< metres that a ray must start off the surface, by rounding of the coordinates
 
-  /// A ray away from here. Ends the light's leak through the surface: `wi` must be on wo's side of the true surface.
+  /// A ray away from here. Ends the light's leak through the surface: `wi` must be on wo's side of the true
+  /// surface.
   Ray leave(const Vec3& wi) const { return {position + clearance * geometric_normal, wi}; }
 };
 
-/// The surface at a hit of `ray`, which is `footprint_width` metres wide there (its textures are averaged over that).
-Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width);
+/// The surface at a hit of `ray`, which is `footprint_width` metres wide there (its textures are averaged
+/// over that). Its roughness is at least `least_roughness`.
+Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
+                     float least_roughness);
 
 /// Whether the hit is on the back of a single-sided material, which glTF does not show.
 bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit);

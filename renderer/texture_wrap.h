@@ -16,9 +16,12 @@ struct TexelPair {
 /// Brings a texture coordinate into [0, 1].
 inline float wrap_coordinate(float u, Wrap wrap) {
   switch (wrap) {
-    case Wrap::repeat: return u - std::floor(u);
-    case Wrap::clamp_to_edge: return std::clamp(u, 0.0f, 1.0f);
-    case Wrap::mirrored_repeat: return 1.0f - std::abs(1.0f - (u - 2.0f * std::floor(0.5f * u)));
+    case Wrap::repeat:
+      return u - std::floor(u);
+    case Wrap::clamp_to_edge:
+      return std::clamp(u, 0.0f, 1.0f);
+    case Wrap::mirrored_repeat:
+      return 1.0f - std::abs(1.0f - (u - 2.0f * std::floor(0.5f * u)));
   }
   return u;
 }

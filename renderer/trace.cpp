@@ -12,10 +12,10 @@ namespace {
 
 RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
   RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.vertices.data(), 0,
-                             sizeof(PackedVertex), geometry.vertices.size());
-  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(), 0,
-                             sizeof(Eigen::Vector3i), geometry.triangles.size());
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             geometry.vertices.data(), 0, sizeof(PackedVertex), geometry.vertices.size());
+  rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
+                             0, sizeof(Eigen::Vector3i), geometry.triangles.size());
   if (geometry.material->alpha_mode != AlphaMode::opaque) set_alpha_filters(triangles, geometry);
   rtcCommitGeometry(triangles);
   return triangles;
@@ -39,8 +39,9 @@ RTCScene new_scene(RTCDevice device) {
 
 void check(RTCDevice device) {
   if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) {
-    throw std::runtime_error(error == RTC_ERROR_OUT_OF_MEMORY ? "ray tracing: out of memory for the BVH"
-                                                              : "ray tracing: Embree error " + std::to_string(error));
+    throw std::runtime_error(error == RTC_ERROR_OUT_OF_MEMORY
+                                 ? "ray tracing: out of memory for the BVH"
+                                 : "ray tracing: Embree error " + std::to_string(error));
   }
 }
 
@@ -55,7 +56,8 @@ RTCRay to_embree(const Ray& ray) {
 
 void set_lane(RTCRay8& rays, int lane, const Ray& ray) {
   rays.org_x[lane] = ray.origin.x(), rays.org_y[lane] = ray.origin.y(), rays.org_z[lane] = ray.origin.z();
-  rays.dir_x[lane] = ray.direction.x(), rays.dir_y[lane] = ray.direction.y(), rays.dir_z[lane] = ray.direction.z();
+  rays.dir_x[lane] = ray.direction.x(), rays.dir_y[lane] = ray.direction.y(),
+  rays.dir_z[lane] = ray.direction.z();
   rays.tnear[lane] = ray.t_near, rays.tfar[lane] = ray.t_far;
   rays.time[lane] = 0, rays.mask[lane] = ~0u, rays.id[lane] = ray.id, rays.flags[lane] = 0;
 }
@@ -97,7 +99,8 @@ Hit Bvh::intersect(const Ray& ray) const {
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene.get(), &context, &query);
   const RTCHit& hit = query.hit;
-  return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v, query.ray.tfar};
+  return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v,
+          query.ray.tfar};
 }
 
 void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
@@ -116,8 +119,8 @@ void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active
   const RTCHit8& hit = query.hit;
   for (int lane = 0; lane < packet_size; ++lane) {
     const bool instanced = hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
-    hits[lane] = {instanced ? hit.instID[0][lane] : hit.geomID[lane], hit.primID[lane], hit.u[lane], hit.v[lane],
-                  query.ray.tfar[lane]};
+    hits[lane] = {instanced ? hit.instID[0][lane] : hit.geomID[lane], hit.primID[lane], hit.u[lane],
+                  hit.v[lane], query.ray.tfar[lane]};
   }
 }
 

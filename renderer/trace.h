@@ -31,8 +31,8 @@ struct Hit {
 /// Rays that travel together.
 constexpr int packet_size = 8;
 
-/// The bounding volume hierarchy over placed geometry, which must outlive it. Built by one thread, so that equally near
-/// surfaces meet in the same order whatever the machine.
+/// The bounding volume hierarchy over placed geometry, which must outlive it. Built by one thread, so that
+/// equally near surfaces meet in the same order whatever the machine.
 class Bvh {
  public:
   explicit Bvh(const PlacedGeometry& placed);
@@ -41,7 +41,8 @@ class Bvh {
   Hit intersect(const Ray& ray) const;
 
   /// The same for rays that start alike; those with `active[i]` false are left alone.
-  void intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size], Hit (&hits)[packet_size]) const;
+  void intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
+                          Hit (&hits)[packet_size]) const;
 
   /// The share of light that passes between the ray's ends: 0 behind anything opaque.
   float transmittance(const Ray& ray) const;
