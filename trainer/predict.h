@@ -16,10 +16,10 @@ struct ImagePrediction {
   std::filesystem::path file;
   ImageSize size;                          ///< the image's own
   Outputs raw{};                           ///< TargetSpace::raw
-  std::optional<Calibration> calibration;  ///< empty: the numbers are no camera
+  std::optional<Calibration> calibration{};  ///< empty: the numbers are no camera
   bool is_one_to_one = false;              ///< false: the predicted lens folds inside its frame
-  std::optional<Calibration> truth;        ///< of calibration.json beside the image
-  std::optional<double> reprojection_px;   ///< error against the truth
+  std::optional<Calibration> truth{};        ///< of calibration.json beside the image
+  std::optional<double> reprojection_px{};   ///< error against the truth
 };
 
 /// In the order of `files`. Throws std::runtime_error with one line when an image cannot be read, or a

@@ -4,6 +4,7 @@
 #include "temporary_folder.h"
 #include "trainer/evaluate.h"
 #include "trainer/predict.h"
+#include "trainer/samples.h"
 #include "trainer/train.h"
 
 using namespace cps;

@@ -3,6 +3,7 @@
 #include "street.h"
 #include "temporary_folder.h"
 #include "trainer/evaluate.h"
+#include "trainer/samples.h"
 #include "trainer/train.h"
 
 using namespace cps;
