@@ -116,9 +116,9 @@ int cps_generate(const Arguments& arguments) {
     return 0;
   }
   const Plan plan = make_plan(recipe, scenes, [](const fs::path& file) { return import_gltf(file); });
+  Journal journal(root, job);
   std::cout << root.string() << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
             << image_count(plan) << " images\n";
-  Journal journal(root, job);
   generate(plan, journal, root);
   finish_dataset(root, plan, journal.finished(), hashes);
   std::cout << root.string() << ": finished\n";

@@ -43,6 +43,11 @@ void write_file(const std::filesystem::path& file, std::span<const char> bytes) 
   if (error) fail(error.message().c_str());
 }
 
+void remove_temporaries(const std::filesystem::path& folder) {
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".tmp") std::filesystem::remove(entry.path());
+}
+
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json) {
   write_file(file, json.dump(2) + "\n");
 }

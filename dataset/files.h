@@ -19,6 +19,10 @@ nlohmann::json read_json(const std::filesystem::path& file);
 /// std::runtime_error naming file and cause and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::span<const char> bytes);
 
+/// Removes what write_file left half-written under temporary names in `folder` (not below it) when it was
+/// killed.
+void remove_temporaries(const std::filesystem::path& folder);
+
 /// Indented JSON with a final newline.
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 

@@ -58,8 +58,10 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
       ++counts[part];
     }
   }
-  for (std::size_t g = 0; g < plan.groups.size(); ++g)
+  for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    remove_temporaries(root / plan.groups[g].folder);
     write_file(root / plan.groups[g].folder / "frames.csv", frames_csv(frames_of_group[g]));
+  }
 
   Json splits, scene_list = Json::array();
   for (Part part : parts) {

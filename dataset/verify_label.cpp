@@ -76,7 +76,8 @@ LabelCheck check_label(const Label& label) {
   fault(std::abs(label.camera.fx / base.fx - label.zoom) > 1e-9 * label.zoom,
         "crop: zoom contradicts fov and fov_base_deg");
   const std::optional<TrueFov> true_angles = true_fov(label.distortion, label.camera, master);
-  fault(!(true_angles && std::abs(degrees(true_angles->horizontal_rad) - label.fov_true_h_deg) <= angle_tolerance_deg &&
+  fault(!(true_angles &&
+          std::abs(degrees(true_angles->horizontal_rad) - label.fov_true_h_deg) <= angle_tolerance_deg &&
           std::abs(degrees(true_angles->vertical_rad) - label.fov_true_v_deg) <= angle_tolerance_deg &&
           std::abs(degrees(true_angles->diagonal_rad) - label.fov_true_d_deg) <= angle_tolerance_deg),
         "fov_true_deg: contradicts lens and K");

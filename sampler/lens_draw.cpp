@@ -61,11 +61,14 @@ DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_maste
   }
   throw std::runtime_error("no lens within the bounds in " + std::to_string(max_attempts) +
                            " attempts, the last because " + why +
-                           "; widen max-zoom or max-eigenvalue, or lower max-displacement");
+                           "; widen max_zoom or max_eigenvalue, or lower max_displacement");
 }
 
 DrawnLens undistorted_lens(const Pinhole& base) {
-  return {.distortion = {}, .crop = border_free_crop({}, base, {base.cx, base.cy}), .limits = {}};
+  DrawnLens lens;
+  lens.crop.valid = true;
+  lens.crop.camera = base;
+  return lens;
 }
 
 }  // namespace cps

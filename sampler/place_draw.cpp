@@ -73,7 +73,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part 
   }
   throw std::runtime_error("no clear place for part " + to_string(part) + " in " +
                            std::to_string(max_attempts) +
-                           " attempts; lower clearance-m or use a scene with longer lanes");
+                           " attempts; lower clearance_m or use a scene with longer lanes");
 }
 
 }  // namespace cps

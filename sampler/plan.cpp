@@ -39,7 +39,7 @@ std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
            .master = master_camera(base, WarpOptions{}, recipe.lens_bounds.min_eigenvalue)});
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
-          throw std::runtime_error("recipe: size, base-hfov-deg: two sets would share the folder " +
+          throw std::runtime_error("recipe: size, base_hfov_deg: two sets would share the folder " +
                                    sets.back().folder + "; name each once, in whole degrees");
     }
   return sets;

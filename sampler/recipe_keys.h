@@ -12,47 +12,47 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("seed", r.seed, "everything drawn follows from it");
 
   visit("scene", r.scenes, "glTF files with lanes, separated by commas");
-  visit("city-seed", r.city_seeds, "procedural cities by seed, separated by commas");
+  visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
   visit("suns", r.suns, "conditions per scene: each has its own sun and haze");
-  visit("sun-elevation-min-deg", r.sun_elevation_min_deg, "lowest sun, degrees above the horizon");
-  visit("sun-elevation-max-deg", r.sun_elevation_max_deg, "highest sun");
-  visit("turbidity-min", r.turbidity_min, "clearest air: 2 very clear, 6 hazy");
-  visit("turbidity-max", r.turbidity_max, "haziest air");
+  visit("sun_elevation_min_deg", r.sun_elevation_min_deg, "lowest sun, degrees above the horizon");
+  visit("sun_elevation_max_deg", r.sun_elevation_max_deg, "highest sun");
+  visit("turbidity_min", r.turbidity_min, "clearest air: 2 very clear, 6 hazy");
+  visit("turbidity_max", r.turbidity_max, "haziest air");
 
   visit("size", r.sizes, "image sizes in pixels, as 1392x512, separated by commas");
-  visit("base-hfov-deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
+  visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
   visit("views", r.views, "views per size and base H-FOV");
 
-  visit("camera-height-m", r.camera_height_m, "camera above the road");
-  visit("camera-forward-m", r.camera_forward_m, "camera ahead of the rear axle");
-  visit("mount-error-deg", r.mount_error_deg, "standard deviation of the camera's yaw, pitch and roll");
-  visit("lateral-m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");
-  visit("heading-deg", r.heading_deg, "standard deviation of the car's heading off its lane's");
-  visit("clearance-m", r.clearance_m, "free way a place must have in front of the camera");
+  visit("camera_height_m", r.camera_height_m, "camera above the road");
+  visit("camera_forward_m", r.camera_forward_m, "camera ahead of the rear axle");
+  visit("mount_error_deg", r.mount_error_deg, "standard deviation of the camera's yaw, pitch and roll");
+  visit("lateral_m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");
+  visit("heading_deg", r.heading_deg, "standard deviation of the car's heading off its lane's");
+  visit("clearance_m", r.clearance_m, "free way a place must have in front of the camera");
 
   visit("lenses", r.lenses, "distorted images per view, besides the undistorted one");
-  visit("views-per-lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
-  visit("max-displacement", r.lens_bounds.max_displacement,
+  visit("views_per_lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
+  visit("max_displacement", r.lens_bounds.max_displacement,
         "farthest a lens moves a point, of the half diagonal");
-  visit("min-eigenvalue", r.lens_bounds.min_eigenvalue, "least local scale of a lens (certified)");
-  visit("max-eigenvalue", r.lens_bounds.max_eigenvalue, "largest local scale of a lens (certified)");
-  visit("max-tangential", r.lens_bounds.max_tangential, "|(p1, p2)| in units of the half diagonal");
-  visit("max-zoom", r.principal_point_bounds.max_zoom, "largest zoom of the crop");
-  visit("principal-point-x", r.principal_point_bounds.max_shift_x, "largest shift of cx, of the width");
-  visit("principal-point-y", r.principal_point_bounds.max_shift_y, "largest shift of cy, of the height");
+  visit("min_eigenvalue", r.lens_bounds.min_eigenvalue, "least local scale of a lens (certified)");
+  visit("max_eigenvalue", r.lens_bounds.max_eigenvalue, "largest local scale of a lens (certified)");
+  visit("max_tangential", r.lens_bounds.max_tangential, "|(p1, p2)| in units of the half diagonal");
+  visit("max_zoom", r.principal_point_bounds.max_zoom, "largest zoom of the crop");
+  visit("principal_point_x", r.principal_point_bounds.max_shift_x, "largest shift of cx, of the width");
+  visit("principal_point_y", r.principal_point_bounds.max_shift_y, "largest shift of cy, of the height");
 
-  visit("train-share", r.train_share, "share of the views in train");
-  visit("val-share", r.val_share, "share of the views in val; the rest is test");
+  visit("train_share", r.train_share, "share of the views in train");
+  visit("val_share", r.val_share, "share of the views in val; the rest is test");
   visit("split", r.split, "route: a street belongs to one part; thesis: random by view");
 
   visit("samples", r.samples, "rays per master pixel; an output pixel sees about four times as many");
-  visit("max-shaded-vertices", r.max_shaded_vertices, "surface points at which a path gathers light");
-  visit("exposure-bias-min-ev", r.sensor.exposure_bias_min_ev, "darkest exposure against the meter");
-  visit("exposure-bias-max-ev", r.sensor.exposure_bias_max_ev, "brightest exposure against the meter");
-  visit("full-well-min-e", r.sensor.full_well_min_e, "fewest electrons at white (most shot noise)");
-  visit("full-well-max-e", r.sensor.full_well_max_e, "most electrons at white");
-  visit("read-noise-min-e", r.sensor.read_noise_min_e, "least read noise, rms electrons");
-  visit("read-noise-max-e", r.sensor.read_noise_max_e, "most read noise");
+  visit("max_shaded_vertices", r.max_shaded_vertices, "surface points at which a path gathers light");
+  visit("exposure_bias_min_ev", r.sensor.exposure_bias_min_ev, "darkest exposure against the meter");
+  visit("exposure_bias_max_ev", r.sensor.exposure_bias_max_ev, "brightest exposure against the meter");
+  visit("full_well_min_e", r.sensor.full_well_min_e, "fewest electrons at white (most shot noise)");
+  visit("full_well_max_e", r.sensor.full_well_max_e, "most electrons at white");
+  visit("read_noise_min_e", r.sensor.read_noise_min_e, "least read noise, rms electrons");
+  visit("read_noise_max_e", r.sensor.read_noise_max_e, "most read noise");
 }
 
 }  // namespace cps

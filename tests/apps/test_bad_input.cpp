@@ -47,15 +47,15 @@ TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave 
   const fs::path folder = fresh_folder("bad"), scene = write_street_gltf(folder), out = folder / "out";
   fs::create_directories(out);
   const std::string o = out.string();
-  const std::string rest = " --size 80x45 --base-hfov-deg 60 --views 3 --samples 1 --out " + o + "/dataset";
+  const std::string rest = " --size 80x45 --base_hfov_deg 60 --views 3 --samples 1 --out " + o + "/dataset";
   check_refused("render /nonexistent.glb -o " + o + "/a.png", 1, "/nonexistent.glb");
   check_refused("generate --recipe /nonexistent.cfg --out " + o + "/dataset", 1, "/nonexistent.cfg");
   check_refused("generate --scene /nonexistent.glb" + rest, 1, "/nonexistent.glb");
 
-  check_refused("generate --scene " + scene.string() + " --size 80x45 --base-hfov-deg 179 --views 3 --out " +
+  check_refused("generate --scene " + scene.string() + " --size 80x45 --base_hfov_deg 179 --views 3 --out " +
                     o + "/dataset",
-                1, "base-hfov-deg");
-  check_refused("generate --scene " + scene.string() + " --size 0x45 --base-hfov-deg 60 --views 3 --out " +
+                1, "base_hfov_deg");
+  check_refused("generate --scene " + scene.string() + " --size 0x45 --base_hfov_deg 60 --views 3 --out " +
                     o + "/dataset",
                 1, "size");
   check_refused("verify /nonexistent", 1, "/nonexistent");
@@ -71,7 +71,7 @@ TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave 
   const std::string blocked = (folder / "file" / "a.png").string();
   check_refused("render " + scene.string() + " --size 16x16 --samples 1 -o " + blocked, 1, "a.png");
   check_refused("city --seed 1 -o " + (folder / "file" / "city.glb").string(), 1, "city.glb");
-  check_refused("generate --scene " + scene.string() + " --size 80x45 --base-hfov-deg 60 --views 3 --out " +
+  check_refused("generate --scene " + scene.string() + " --size 80x45 --base_hfov_deg 60 --views 3 --out " +
                     (folder / "file" / "dataset").string(),
                 1, "dataset");
 }

@@ -16,13 +16,14 @@ namespace {
 
 std::string generate_arguments(const fs::path& scene, const fs::path& out) {
   return "generate --name t --seed 3 --scene " + scene.string() +
-         " --size 80x45 --base-hfov-deg 60,120 --views 5 --lenses 2 --suns 2 --samples 2 --out " +
+         " --size 80x45 --base_hfov_deg 60,120 --views 5 --lenses 2 --suns 2 --samples 2 --out " +
          out.string();
 }
 
 /// Every file of a dataset but the journal, by name.
 std::map<std::string, std::string> contents(const fs::path& root) {
   std::map<std::string, std::string> files;
+  if (!fs::exists(root)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
     const fs::path name = entry.path().lexically_relative(root);
     if (entry.is_regular_file() && *name.begin() != ".cps") files[name.string()] = read_file(entry.path());
@@ -58,9 +59,7 @@ void check_kills(int kills) {
   }
   CHECK(interrupted > 0);
   REQUIRE(run_cps(generate_arguments(scene, folder / "killed")).exit_status == 0);
-  auto killed = contents(folder / "killed");
-  std::erase_if(killed, [](const auto& file) { return file.first.ends_with(".tmp"); });
-  CHECK(killed == contents(folder / "whole"));
+  CHECK(contents(folder / "killed") == contents(folder / "whole"));
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ TEST_CASE("the same after a hundred kills", "[slow]") {
 TEST_CASE("a folder begun with another recipe is refused") {
   const fs::path folder = fresh_folder("other"), scene = write_street_gltf(folder), out = folder / "dataset";
   REQUIRE(run_cps(generate_arguments(scene, out)).exit_status == 0);
-  const ProgramRun refused = run_cps(generate_arguments(scene, out) + " --max-zoom 2");
+  const ProgramRun refused = run_cps(generate_arguments(scene, out) + " --max_zoom 2");
   CHECK(refused.exit_status == 1);
-  CHECK_THAT(refused.output, Catch::Contains("max-zoom = 2"));
+  CHECK_THAT(refused.output, Catch::Contains("max_zoom = 2"));
 }
