@@ -19,8 +19,8 @@ enum class Resampling {
 };
 
 struct WarpOptions {
-  int oversampling = 2;           ///< of the master, per axis
-  double kernel_sigma_px = 0.45;  ///< standard deviation of the output pixel's kernel, output pixels
+  int oversampling = 2;          ///< of the master, per axis
+  double kernel_sigma_px = 0.5;  ///< standard deviation of the output pixel's kernel, output pixels
   Resampling resampling = Resampling::footprint;
   bool require_coverage = true;  ///< throw if a footprint leaves the source; otherwise such pixels are 0
   /// Throw where the image is magnified beyond what the source carries; otherwise the kernel is widened
