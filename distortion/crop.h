@@ -11,9 +11,9 @@ namespace cps {
 
 struct CropOptions {
   double max_zoom = 3;
-  /// Largest linear magnification master pixel → output pixel, times the oversampling: zoom · largest
-  /// eigenvalue. What a warp carries without losing sharpness; see largest_magnification(WarpOptions).
-  double max_magnification = 2.4;
+  /// Of zoom · largest eigenvalue: by how much the output enlarges the base at most. The default is what the
+  /// default warp carries, largest_magnification(WarpOptions{}).
+  double max_magnification = 1.96;
   CertificateOptions certificate = {};
   bool is_valid(std::string* why) const;
 };

@@ -45,22 +45,20 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
   // Outward from a rectangle that is too small for any lens worth the name, for as long as the lens does not
   // fold.
   constexpr double step = 1.02, first = 0.2;
-  constexpr CertificateOptions one_to_one{1e-6, 1e6};
   double outside = first, reach = 0;
   while (reach < 1) {
     const Eigen::AlignedBox2d box = scaled_box(shape, outside);
-    if (!is_certified(lens, box, one_to_one)) break;
+    if (!is_certified(lens, box, options)) break;
     reach = std::max(reach, gauge_at(outside));
     if (reach < 1) outside *= step;
   }
   if (reach < 1) {
+    result.rectangle = scaled_box(shape, outside / step);
+    result.certificate = certify(lens, result.rectangle, options);
     char line[128];
     std::snprintf(line, sizeof line,
-                  "the lens folds before its image covers the frame: it reaches %.2f %% of the way",
-                  100 * reach);
-    result.rectangle = scaled_box(shape, outside);
-    result.certificate = certify(lens, result.rectangle, options);
-    return refused(result, std::string(line) + "; " + result.certificate.why);
+                  "the lens cannot be certified on all of the frame, only %.2f %% of the way: ", 100 * reach);
+    return refused(result, line + certify(lens, scaled_box(shape, outside), options).why);
   }
   double inside = outside == first ? 0 : outside / step;
   while (outside - inside > 1e-9 * outside) {

@@ -12,8 +12,9 @@ namespace cps {
 /// Certificate of a lens that came with a camera instead of a master: a calibration from elsewhere.
 struct FrameCertificate {
   Certificate certificate;  ///< on `rectangle`
-  Eigen::AlignedBox2d
-      rectangle;    ///< of ideal points; D(rectangle) contains the whole frame when the certificate is valid
+  /// Of ideal points. Its image contains the whole frame; or, when there is no such rectangle, it is the
+  /// largest on which the lens is certified at all (to 2 %).
+  Eigen::AlignedBox2d rectangle;
   std::string why;  ///< of a refusal, one line; empty when valid
   bool valid() const { return certificate.valid && why.empty(); }
 };

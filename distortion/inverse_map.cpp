@@ -33,32 +33,53 @@ struct Interpolation {
   }
 };
 
-/// Two Newton steps for one row of targets (xd[i], yd); leaves the residual in units of the plane. Written
-/// without branches or calls so that it compiles to vector instructions.
-void newton_row(const Distortion& lens, int count, const double* __restrict xd, double yd,
-                double* __restrict x, double* __restrict y, double* __restrict residual) {
-  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2;
-  for (int i = 0; i < count; ++i) {
-    double u = x[i], v = y[i], error_u = 0, error_v = 0;
-#pragma GCC unroll 3
-    for (int step = 0; step < 3; ++step) {
-      const double s = u * u + v * v;
-      const double radial = 1 + s * (k1 + s * (k2 + s * k3)), pull = 2 * (p2 * u + p1 * v);
-      error_u = u * (radial + pull) + p2 * s - xd[i];
-      error_v = v * (radial + pull) + p1 * s - yd;
-      if (step == 2) break;  // the last pass only measures
-      const double slope = 2 * (k1 + s * (2 * k2 + s * 3 * k3));
-      const double xx = radial + pull + u * (slope * u + 4 * p2),
-                   yy = radial + pull + v * (slope * v + 4 * p1);
-      const double xy = slope * u * v + 2 * (p2 * v + p1 * u);
-      const double scale = 1 / (xx * yy - xy * xy);
-      u -= scale * (yy * error_u - xy * error_v);
-      v -= scale * (xx * error_v - xy * error_u);
-    }
-    x[i] = u;
-    y[i] = v;
-    residual[i] = std::sqrt(error_u * error_u + error_v * error_v);
+/// The functions below run over one row of targets (xd[i], yd), without branches or calls, so that they
+/// compile to vector instructions.
+struct TargetRow {
+  int count;
+  const double* xd;
+  double yd;
+};
+
+/// One Newton step.
+void newton_step(const Distortion& lens, const TargetRow& target, double* __restrict x,
+                 double* __restrict y) {
+  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+  const double* __restrict xd = target.xd;
+  for (int i = 0; i < target.count; ++i) {
+    const double u = x[i], v = y[i], s = u * u + v * v;
+    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
+    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
+    const double slope = 2 * (k1 + s * (2 * k2 + s * 3 * k3));
+    const double xx = diagonal + u * (slope * u + 4 * p2), yy = diagonal + v * (slope * v + 4 * p1);
+    const double xy = slope * u * v + 2 * (p2 * v + p1 * u);
+    const double scale = 1 / (xx * yy - xy * xy);
+    x[i] = u - scale * (yy * error_u - xy * error_v);
+    y[i] = v - scale * (xx * error_v - xy * error_u);
   }
+}
+
+/// |D(x) − target|; infinite outside the box.
+void measure(const Distortion& lens, const Eigen::AlignedBox2d& box, const TargetRow& target,
+             const double* __restrict x, const double* __restrict y, double* __restrict residual) {
+  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+  const double left = box.min().x(), right = box.max().x(), top = box.min().y(), bottom = box.max().y();
+  const double* __restrict xd = target.xd;
+  for (int i = 0; i < target.count; ++i) {
+    const double u = x[i], v = y[i], s = u * u + v * v;
+    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
+    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
+    const bool inside = (u >= left) & (u <= right) & (v >= top) & (v <= bottom);
+    residual[i] =
+        inside ? std::sqrt(error_u * error_u + error_v * error_v) : std::numeric_limits<double>::infinity();
+  }
+}
+
+/// How many residuals are not small enough.
+int count_failed(int count, const double* __restrict residual, double enough) {
+  int failed = 0;
+  for (int i = 0; i < count; ++i) failed += residual[i] <= enough ? 0 : 1;
+  return failed;
 }
 
 }  // namespace
@@ -67,7 +88,6 @@ void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const P
                  int y0, int width, int height, InverseMapTile& tile) {
   tile.width = width;
   tile.height = height;
-  tile.worst_residual_px = 0;
   tile.outside = tile.fallbacks = 0;
 
   const Interpolation across(width), down(height);
@@ -81,8 +101,8 @@ void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const P
 
   Row xd, residual;
   for (int i = 0; i < width; ++i) xd[i] = to_plane(camera, {x0 + i, 0}).x();
-  const double pixels = std::max(camera.fx, camera.fy);
-  constexpr double enough_px = 1e-9;
+  const double pixels = std::max(camera.fx, camera.fy), enough = 1e-9 / pixels;
+  Row worst{};
   for (int row = 0; row < height; ++row) {
     double* x = &tile.x[row * side];
     double* y = &tile.y[row * side];
@@ -98,28 +118,28 @@ void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const P
         y[column] += weight[column] * node_y;
       }
     }
-    const double yd = to_plane(camera, {0, y0 + row}).y();
-    newton_row(lens, width, xd.data(), yd, x, y, residual.data());
 
-    for (int column = 0; column < width; ++column) {
-      double residual_px = residual[column] * pixels;
-      const bool inside = box.contains(Eigen::Vector2d(x[column], y[column]));
-      if (!(residual_px <= enough_px && inside)) {
-        ++tile.fallbacks;
-        const Eigen::Vector2d target(xd[column], yd);
-        const auto ideal = undistort(lens, box, target);
-        if (!ideal) {
-          ++tile.outside;
-          x[column] = y[column] = std::numeric_limits<double>::quiet_NaN();
-          continue;
-        }
-        x[column] = ideal->x();
-        y[column] = ideal->y();
-        residual_px = (distort(lens, *ideal) - target).norm() * pixels;
-      }
-      tile.worst_residual_px = std::max(tile.worst_residual_px, residual_px);
+    const TargetRow target{width, xd.data(), to_plane(camera, {0, y0 + row}).y()};
+    int failed = width;
+    for (int step = 0; step < 3 && failed > 0; ++step) {
+      newton_step(lens, target, x, y);
+      measure(lens, box, target, x, y, residual.data());
+      failed = count_failed(width, residual.data(), enough);
     }
+    for (int column = 0; column < width && failed > 0; ++column) {
+      if (residual[column] <= enough) continue;
+      ++tile.fallbacks;
+      --failed;
+      const Eigen::Vector2d distorted(xd[column], target.yd);
+      const auto ideal = undistort(lens, box, distorted);
+      tile.outside += !ideal;
+      x[column] = ideal ? ideal->x() : std::numeric_limits<double>::quiet_NaN();
+      y[column] = ideal ? ideal->y() : std::numeric_limits<double>::quiet_NaN();
+      residual[column] = ideal ? (distort(lens, *ideal) - distorted).norm() : 0;
+    }
+    for (int column = 0; column < width; ++column) worst[column] = std::max(worst[column], residual[column]);
   }
+  tile.worst_residual_px = *std::max_element(worst.begin(), worst.begin() + width) * pixels;
 }
 
 }  // namespace cps

@@ -11,6 +11,22 @@
 namespace cps {
 namespace {
 
+double Distortion::*member(Coefficient which) {
+  switch (which) {
+    case Coefficient::k1:
+      return &Distortion::k1;
+    case Coefficient::k2:
+      return &Distortion::k2;
+    case Coefficient::k3:
+      return &Distortion::k3;
+    case Coefficient::p1:
+      return &Distortion::p1;
+    case Coefficient::p2:
+      break;
+  }
+  return &Distortion::p2;
+}
+
 double half_diagonal(const Eigen::AlignedBox2d& rectangle) {
   return 0.5 * rectangle.diagonal().norm();
 }
@@ -29,7 +45,7 @@ template <typename Margin>
 double last_inside(double inside, double outside, Margin margin_at) {
   const double at_inside = margin_at(inside), at_outside = margin_at(outside);
   if (at_outside >= 0) return outside;
-  if (at_inside == 0) return inside;
+  if (at_inside <= 0) return inside;  // on the bound, to the tightness of the proofs
   const double close_enough = 1e-9 * std::abs(outside - inside);
   const auto is_close = [&](double a, double b) { return std::abs(b - a) <= close_enough; };
   std::uintmax_t iterations = 100;
@@ -96,22 +112,10 @@ bool PrincipalPointBounds::is_valid(std::string* why) const {
 }
 
 double& coefficient(Distortion& lens, Coefficient which) {
-  switch (which) {
-    case Coefficient::k1:
-      return lens.k1;
-    case Coefficient::k2:
-      return lens.k2;
-    case Coefficient::k3:
-      return lens.k3;
-    case Coefficient::p1:
-      return lens.p1;
-    default:
-      return lens.p2;
-  }
+  return lens.*member(which);
 }
-
 double coefficient(const Distortion& lens, Coefficient which) {
-  return coefficient(const_cast<Distortion&>(lens), which);
+  return lens.*member(which);
 }
 
 bool is_within(const LensBounds& bounds, const Distortion& lens, const Eigen::AlignedBox2d& rectangle) {

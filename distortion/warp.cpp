@@ -211,7 +211,7 @@ OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const
                       const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
   check_source(source, camera, output, options);
   const FrameCertificate proof = certify_frame(lens, camera, one_to_one);
-  if (!proof.valid()) throw std::runtime_error("unwarp: " + proof.why);
+  if (!proof.certificate.valid) throw std::runtime_error("unwarp: " + proof.why);
   const Footprints footprints = [&](int x0, int y0, int width, int height, FootprintTile& tile) {
     undistorting_footprints(lens, proof.rectangle, camera, output, options.kernel_sigma_px, x0, y0, width,
                             height, tile);

@@ -19,8 +19,8 @@ enum class Resampling {
 };
 
 struct WarpOptions {
-  int oversampling = 2;           ///< of the master, per axis
-  double kernel_sigma_px = 0.45;  ///< standard deviation of the output pixel's kernel, output pixels
+  int oversampling = 2;          ///< of the master, per axis
+  double kernel_sigma_px = 0.5;  ///< standard deviation of the output pixel's kernel, output pixels
   Resampling resampling = Resampling::footprint;
   bool require_coverage = true;  ///< throw if a footprint leaves the source; otherwise such pixels are 0
   /// Throw where the image is magnified beyond what the source carries; otherwise the kernel is widened
@@ -60,8 +60,9 @@ struct WarpSummary {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 
-/// The other way: the ideal image at `output` of one that was seen through the lens at `camera`. Pixels of
-/// `output` that the source does not show are 0, unless coverage is required.
+/// The other way: the ideal image at `output` of one that was seen through the lens at `camera`. What the
+/// source does not show, or only beyond a fold, is 0; if coverage is required, it is an
+/// error.
 OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const Distortion& lens,
                       const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 

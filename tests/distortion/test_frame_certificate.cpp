@@ -56,9 +56,10 @@ TEST_CASE("KITTI's cameras 0 to 2 are one-to-one on their frames") {
 }
 
 TEST_CASE("KITTI's camera 3 does not reach two corners of its frame") {
-  const FrameCertificate proof = certify_frame(kitti[3].lens, kitti[3].pinhole);
+  const FrameCertificate proof = certify_frame(kitti[3].lens, kitti[3].pinhole, {1e-6, 10});
   CHECK_FALSE(proof.valid());
-  CHECK_THAT(proof.why, Catch::Contains("folds before") && Catch::Contains("99."));
+  CHECK_THAT(proof.why, Catch::Contains("folds") && Catch::Contains("99."));
+  CHECK(proof.certificate.valid);  // what it does reach, it maps one-to-one
   CHECK(nearest_shown_px(kitti[3], {-0.5, 511.5}) > 1.5);
   CHECK(nearest_shown_px(kitti[3], {1391.5, 511.5}) > 4);
   CHECK(nearest_shown_px(kitti[0], {1391.5, 511.5}) < 1);

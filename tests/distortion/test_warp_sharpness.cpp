@@ -69,7 +69,7 @@ TEST_CASE("sharpness does not follow the local magnification") {
         master, {}, output, options);
     const double edge_px = output.cx + output.fx * edge - slope * output.cy;
     found.push_back(mtf50(image, edge_px, slope));
-    table += " " + std::to_string(scale) + ": " + std::to_string(found.back());
+    table.append(" ").append(std::to_string(scale)).append(": ").append(std::to_string(found.back()));
   }
   const auto [least, most] = std::minmax_element(found.begin(), found.end());
   INFO("MTF50, cycles per pixel, by local scale:" << table);
