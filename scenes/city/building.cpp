@@ -98,7 +98,7 @@ void add_walls(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const Fac
     const GroundFloor ground = plan.shops       ? GroundFloor::shop
                                : i == door_wall ? GroundFloor::entrance
                                                 : GroundFloor::windows;
-    add_facade(mesh, make_wall(f.front[i], f.front[i + 1], h, above), style, ground, true, m, draws);
+    add_facade(mesh, make_wall(f.front[i], f.front[i + 1], h, above), style, ground, !plan.distant, m, draws);
   }
   FacadeStyle quiet = style;
   quiet.surrounds = false;

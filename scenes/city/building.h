@@ -13,6 +13,7 @@ struct BuildingPlan {
   bool party_start = false, party_end = false;  ///< a neighbour is built onto that end: no windows there
   bool detached = false;                        ///< all sides are seen
   RoofKind roof = RoofKind::gable;
+  bool distant = false;    ///< never seen from near: windows without depth
   double rear_wing_m = 0;  ///< depth of a lower wing behind; 0: none
 };
 

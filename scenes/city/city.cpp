@@ -6,10 +6,15 @@
 #include "scenes/city/block_plan.h"
 #include "scenes/city/glb_writer.h"
 #include "scenes/city/materials.h"
+#include "scenes/city/model_library.h"
 #include "scenes/city/road_markings.h"
 #include "scenes/city/road_surface.h"
+#include "scenes/city/roadside.h"
 #include "scenes/city/street_network.h"
+#include "scenes/city/strip.h"
+#include "scenes/city/surroundings.h"
 #include "scenes/city/textures.h"
+#include "scenes/city/tree.h"
 
 namespace cps {
 
@@ -46,6 +51,42 @@ void add_static(GlbWriter& writer, Mesh mesh, const std::string& name) {
   writer.add_node(name, writer.add_mesh(mesh));
 }
 
+void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const BlockPlan& plan,
+               const Materials& materials, std::uint64_t seed) {
+  const std::string name = "block " + std::to_string(index);
+  const bool paved = plan.kind == BlockKind::closed;
+  Mesh ground = pavement(network, network.blocks[index], plan.pavement_m, materials, seed);
+  add_floor(ground.surfaces[paved ? materials.paving : materials.grass], plan.border.points, kerb_height_m,
+            paved ? paving_tile_m : grass_tile_m,
+            [weather = make_stream(seed, "weathering")](const Vec2& p) { return weathering(weather, p); });
+  add_static(writer, std::move(ground), name);
+  const Stream buildings = substream(make_stream(seed, "building"), index);
+  for (std::size_t k = 0; k < plan.buildings.size(); ++k)
+    add_static(writer, building(plan.buildings[k], materials, substream(buildings, k)),
+               name + " building " + std::to_string(k));
+}
+
+void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummary& summary) {
+  for (const PlacedModel& p : placed) {
+    switch (p.model->kind) {
+      case ModelKind::tree:
+        ++summary.trees;
+        break;
+      case ModelKind::car:
+        ++summary.cars;
+        break;
+      case ModelKind::house:
+        ++summary.buildings;
+        break;
+      case ModelKind::hedge:
+      case ModelKind::furniture:
+        ++summary.furniture;
+        break;
+    }
+    writer.add_node(p.model->name, p.model->mesh, {lift(p.position, p.height), p.heading_rad, p.scale});
+  }
+}
+
 nlohmann::ordered_json lanes_as_json(const StreetNetwork& network,
                                      const std::vector<DrivingLane>& driving_lanes) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -68,6 +109,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   const CityCharacter character = draw_character(options.seed);
   GlbWriter writer;
   const Materials materials = make_materials(writer, options.seed);
+  const ModelLibrary models = make_models(writer, materials, options.seed);
   CitySummary summary;
 
   for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
@@ -79,19 +121,13 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
     add_static(writer, junction_floor(network, j, materials, options.seed), "junction " + std::to_string(j));
   for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
     const BlockPlan plan = plan_block(network, b, character, options.seed);
-    const std::string name = "block " + std::to_string(b);
-    Mesh ground = pavement(network, network.blocks[b], plan.pavement_m, materials, options.seed);
-    add_floor(ground.surfaces[plan.kind == BlockKind::closed ? materials.paving : materials.grass],
-              plan.border.points, kerb_height_m,
-              plan.kind == BlockKind::closed ? paving_tile_m : grass_tile_m);
-    add_static(writer, std::move(ground), name);
-    for (std::size_t k = 0; k < plan.buildings.size(); ++k)
-      add_static(writer,
-                 building(plan.buildings[k], materials,
-                          substream(substream(make_stream(options.seed, "building"), b), k)),
-                 name + " building " + std::to_string(k));
+    add_block(writer, network, b, plan, materials, options.seed);
+    place(writer, furnish(network, b, plan, models, character, options), summary);
     summary.buildings += plan.buildings.size();
   }
+  const Surroundings around = surroundings(network, materials, models, options);
+  add_static(writer, around.terrain, around.terrain.name);
+  place(writer, around.models, summary);
 
   const std::vector<DrivingLane> driving_lanes = lanes(network);
   for (const DrivingLane& lane : driving_lanes) summary.lane_km += length(lane.points) / 1000;

@@ -19,7 +19,7 @@ double unit(std::uint64_t bits) {
 
 TextureSet asphalt_texture(Stream stream) {
   Draws draws{substream(stream, 0)};
-  const double base = draws.uniform(0.40, 0.50), warmth = draws.uniform(0.0, 0.025);
+  const double base = draws.uniform(0.47, 0.58), warmth = draws.uniform(-0.012, 0.012);
   return paint(1024, asphalt_tile_m, false, [=](double u, double v) {
     const Cell stone = cellular_noise(substream(stream, 1), u, v, 230);  // 13 mm aggregate
     const double face = std::clamp((stone.second - stone.nearest) * 2.2, 0.0, 1.0);

@@ -17,41 +17,60 @@ void add_panel(Surface& surface, const WallFrame& f, double u0, double u1, doubl
 
 namespace {
 
-/// The four faces around a rectangle between two depths, facing away from its middle (`outwards`) or towards
-/// it.
+/// The faces around a rectangle between two depths, facing away from its middle (`outwards`) or towards it.
 void add_rim(Surface& surface, const WallFrame& f, double u0, double u1, double z0, double z1, double w0,
-             double w1, bool outwards, double tile_m) {
+             double w1, bool outwards, double tile_m, unsigned faces = all_faces) {
   const double a = outwards ? w0 : w1, b = outwards ? w1 : w0;
   const double ta = a / tile_m, tb = b / tile_m, v0 = -z0 / tile_m, v1 = -z1 / tile_m, s0 = u0 / tile_m,
                s1 = u1 / tile_m;
-  add_quad(surface, {f.point(u0, z0, a), {ta, v0}}, {f.point(u0, z0, b), {tb, v0}},
-           {f.point(u0, z1, b), {tb, v1}}, {f.point(u0, z1, a), {ta, v1}});
-  add_quad(surface, {f.point(u1, z0, b), {tb, v0}}, {f.point(u1, z0, a), {ta, v0}},
-           {f.point(u1, z1, a), {ta, v1}}, {f.point(u1, z1, b), {tb, v1}});
-  add_quad(surface, {f.point(u0, z0, b), {s0, tb}}, {f.point(u0, z0, a), {s0, ta}},
-           {f.point(u1, z0, a), {s1, ta}}, {f.point(u1, z0, b), {s1, tb}});
-  add_quad(surface, {f.point(u0, z1, a), {s0, ta}}, {f.point(u0, z1, b), {s0, tb}},
-           {f.point(u1, z1, b), {s1, tb}}, {f.point(u1, z1, a), {s1, ta}});
+  if (faces & left_face)
+    add_quad(surface, {f.point(u0, z0, a), {ta, v0}}, {f.point(u0, z0, b), {tb, v0}},
+             {f.point(u0, z1, b), {tb, v1}}, {f.point(u0, z1, a), {ta, v1}});
+  if (faces & right_face)
+    add_quad(surface, {f.point(u1, z0, b), {tb, v0}}, {f.point(u1, z0, a), {ta, v0}},
+             {f.point(u1, z1, a), {ta, v1}}, {f.point(u1, z1, b), {tb, v1}});
+  if (faces & lower_face)
+    add_quad(surface, {f.point(u0, z0, a), {s0, ta}}, {f.point(u1, z0, a), {s1, ta}},
+             {f.point(u1, z0, b), {s1, tb}}, {f.point(u0, z0, b), {s0, tb}});
+  if (faces & upper_face)
+    add_quad(surface, {f.point(u0, z1, b), {s0, tb}}, {f.point(u1, z1, b), {s1, tb}},
+             {f.point(u1, z1, a), {s1, ta}}, {f.point(u0, z1, a), {s0, ta}});
 }
 
 }  // namespace
 
 void add_bar(Surface& surface, const WallFrame& f, double u0, double u1, double z0, double z1, double w0,
-             double w1, double tile_m) {
+             double w1, double tile_m, unsigned faces) {
   add_panel(surface, f, u0, u1, z0, z1, w1, tile_m);
-  add_rim(surface, f, u0, u1, z0, z1, w0, w1, true, tile_m);
+  add_rim(surface, f, u0, u1, z0, z1, w0, w1, true, tile_m, faces);
 }
 
 namespace {
+
+/// The flat ring between two rectangles; its corners are shared.
+void add_ring(Surface& surface, const WallFrame& f, const Opening& o, double bar, double w) {
+  const auto first = static_cast<std::uint32_t>(surface.positions.size());
+  const Eigen::Vector3f normal = lift(f.out, 0).cast<float>();
+  for (const double in : {0.0, bar})
+    for (const auto& [u, z] : {std::pair{o.u0 + in, o.z0 + in},
+                               {o.u1 - in, o.z0 + in},
+                               {o.u1 - in, o.z1 - in},
+                               {o.u0 + in, o.z1 - in}}) {
+      surface.positions.push_back(f.point(u, z, w).cast<float>());
+      surface.normals.push_back(normal);
+      surface.uvs.emplace_back(0.f, 0.f);
+    }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t a = first + i, b = first + (i + 1) % 4;
+    surface.indices.insert(surface.indices.end(), {a, b, b + 4, a, b + 4, a + 4});
+  }
+}
 
 /// A frame of `bar` metres around the opening with glass behind, both set back into the wall.
 void add_sash(Mesh& mesh, const WallFrame& f, const Opening& o, double bar, double back, MaterialId frame,
               MaterialId pane, bool detailed) {
   Surface& s = mesh.surfaces[frame];
-  add_panel(s, f, o.u0, o.u0 + bar, o.z0, o.z1, -back);
-  add_panel(s, f, o.u1 - bar, o.u1, o.z0, o.z1, -back);
-  add_panel(s, f, o.u0 + bar, o.u1 - bar, o.z0, o.z0 + bar, -back);
-  add_panel(s, f, o.u0 + bar, o.u1 - bar, o.z1 - bar, o.z1, -back);
+  add_ring(s, f, o, bar, -back);
   const double glass = detailed ? back + 0.04 : back;
   if (detailed) add_rim(s, f, o.u0 + bar, o.u1 - bar, o.z0 + bar, o.z1 - bar, -glass, -back, false, 1);
   add_panel(mesh.surfaces[pane], f, o.u0 + bar, o.u1 - bar, o.z0 + bar, o.z1 - bar, -glass);
@@ -64,24 +83,28 @@ void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeSt
   add_sash(mesh, f, o, bar, back, style.frame, curtained ? m.curtained_glass : m.glass, detailed);
   if (draws.chance(style.shutter_share)) {  // a roller shutter, let down part of the way
     const double down = draws.chance(0.3) ? 1.0 : draws.uniform(0.15, 0.6);
-    add_bar(mesh.surfaces[m.shutter], f, o.u0, o.u1, o.z1 - down * (o.z1 - o.z0), o.z1, -back, -back + 0.03);
+    add_bar(mesh.surfaces[m.shutter], f, o.u0, o.u1, o.z1 - down * (o.z1 - o.z0), o.z1, -back, -back + 0.03,
+            1, lower_face);
   }
   if (!detailed) return;
   Surface& bars = mesh.surfaces[style.frame];
   for (int k = 1; k <= style.mullions; ++k) {
     const double u = o.u0 + (o.u1 - o.u0) * k / (style.mullions + 1);
-    add_bar(bars, f, u - 0.035, u + 0.035, o.z0 + bar, o.z1 - bar, -back - 0.04, -back - 0.002);
+    add_bar(bars, f, u - 0.035, u + 0.035, o.z0 + bar, o.z1 - bar, -back - 0.04, -back - 0.002, 1,
+            left_face | right_face);
   }
   if (style.transom) {
     const double z = o.z0 + (o.z1 - o.z0) * 0.68;
-    add_bar(bars, f, o.u0 + bar, o.u1 - bar, z - 0.03, z + 0.03, -back - 0.04, -back - 0.001);
+    add_bar(bars, f, o.u0 + bar, o.u1 - bar, z - 0.03, z + 0.03, -back - 0.04, -back - 0.001, 1,
+            lower_face | upper_face);
   }
   Surface& stone = mesh.surfaces[m.stone.material];
   add_bar(stone, f, o.u0 - 0.06, o.u1 + 0.06, o.z0 - 0.06, o.z0, -back, 0.07, m.stone.tile_m);
   if (style.surrounds) {
-    add_bar(stone, f, o.u0 - 0.14, o.u0, o.z0, o.z1 + 0.14, 0, 0.035, m.stone.tile_m);
-    add_bar(stone, f, o.u1, o.u1 + 0.14, o.z0, o.z1 + 0.14, 0, 0.035, m.stone.tile_m);
-    add_bar(stone, f, o.u0, o.u1, o.z1, o.z1 + 0.14, 0, 0.035, m.stone.tile_m);
+    const double w = 0.14, tile = m.stone.tile_m;
+    add_bar(stone, f, o.u0 - w, o.u0, o.z0, o.z1 + w, 0, 0.035, tile, left_face);
+    add_bar(stone, f, o.u1, o.u1 + w, o.z0, o.z1 + w, 0, 0.035, tile, right_face);
+    add_bar(stone, f, o.u0, o.u1, o.z1, o.z1 + w, 0, 0.035, tile, lower_face);
   }
 }
 

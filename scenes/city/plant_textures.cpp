@@ -66,11 +66,11 @@ TextureSet bark_texture(Stream stream) {
 TextureSet leaf_texture(Stream stream) {
   Draws draws{stream};
   std::vector<Blade> leaves;
-  const double leaf_length = draws.uniform(0.17, 0.24), slenderness = draws.uniform(0.26, 0.4);
-  for (int branch = 0; branch < 7; ++branch) {  // side twigs off a middle stem, leaves along each
-    const double start = 1.0 - branch * 0.13, lean = draws.uniform(0.5, 1.2) * (branch % 2 ? 1 : -1);
-    for (int k = 0; k < 7; ++k) {
-      const double reach = 0.05 + 0.055 * k;
+  const double leaf_length = draws.uniform(0.11, 0.15), slenderness = draws.uniform(0.3, 0.42);
+  for (int branch = 0; branch < 13; ++branch) {  // side twigs off a middle stem, leaves along each
+    const double start = 1.0 - branch * 0.07, lean = draws.uniform(0.5, 1.3) * (branch % 2 ? 1 : -1);
+    for (int k = 0; k < 12; ++k) {
+      const double reach = 0.03 + 0.038 * k;
       const double u = 0.5 + reach * std::sin(lean), v = start - 0.12 - reach * std::cos(lean) * 0.8;
       const double turn = lean + draws.uniform(-1.1, 1.1);
       const double size = leaf_length * draws.uniform(0.7, 1.1);

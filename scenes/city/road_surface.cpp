@@ -11,16 +11,11 @@
 namespace cps::city {
 namespace {
 
-std::uint8_t to_byte(double x) {
-  return static_cast<std::uint8_t>(std::clamp(x * 255.0 + 0.5, 0.0, 255.0));
-}
-
 void add_asphalt_vertex(Surface& surface, const Vec2& p, double light) {
   surface.positions.push_back(lift(p, 0).cast<float>());
   surface.normals.emplace_back(0.f, 1.f, 0.f);
   surface.uvs.emplace_back(Vec2(p.x() / asphalt_tile_m, -p.y() / asphalt_tile_m).cast<float>());
-  const std::uint8_t shade = to_byte(light);
-  surface.colors.push_back({shade, shade, shade, 255});
+  surface.colors.push_back(gray_color(light));
 }
 
 /// How much darker the asphalt is where wheels run: 0 … 1, by the offset from the centre line.

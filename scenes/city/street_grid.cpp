@@ -208,8 +208,7 @@ StreetNetwork draw_street_network(const CityOptions& options) {
   StreetLayer layer(network, grid, degree);
   const Stream omissions = make_stream(options.seed, "omitted segments");
   for (int r = 0; r < rows; ++r)
-    layer.lay(r, true, std::string(1, static_cast<char>('A' + r)), substream(omissions, 2 * r),
-              omission_rate);
+    layer.lay(r, true, std::string{static_cast<char>('A' + r)}, substream(omissions, 2 * r), omission_rate);
   for (int c = 0; c < columns; ++c)
     layer.lay(c, false, std::to_string(c + 1), substream(omissions, 2 * c + 1), omission_rate);
   add_rim(network, grid);

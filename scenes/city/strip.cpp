@@ -7,14 +7,6 @@
 #include "scenes/city/texture_noise.h"
 
 namespace cps::city {
-namespace {
-
-std::array<std::uint8_t, 4> gray_color(double light) {
-  const auto x = static_cast<std::uint8_t>(std::clamp(light * 255.0 + 0.5, 0.0, 255.0));
-  return {x, x, x, 255};
-}
-
-}  // namespace
 
 double weathering(Stream stream, const Vec2& point) {
   constexpr double tile_m = 512;
