@@ -33,7 +33,7 @@ Scene make_scene(Document& document) {
   if (index != -1) scene.name = document.model.scenes[index].name;
   if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.credits = document.model.asset.copyright;
-  MeshTable meshes{document, scene, {document, scene, {}, {}}, {}};
+  MeshTable meshes{document, scene, {document, scene}};
   add_instances(meshes, place_nodes(document, index));
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);

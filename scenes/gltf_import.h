@@ -8,9 +8,11 @@
 
 namespace cps {
 
-/// Reads a .glb or .gltf file (glTF 2.0): triangles with u8/u16/u32 indices or none, node hierarchies, shared
-/// meshes, metallic-roughness materials, textures from buffers, files and data URIs (decoded by OpenImageIO),
-/// normals and tangents made where they are missing. Lanes come from the scene's `extras.cps_lanes`:
+/// Reads a .glb or .gltf file (glTF 2.0): triangles, strips and fans with u8/u16/u32 indices or none, sparse,
+/// quantised and Draco-compressed data, node hierarchies, shared and GPU-instanced meshes, skins in rest
+/// pose, metallic-roughness materials, textures from buffers, files and data URIs (PNG, JPEG, WebP, decoded
+/// by OpenImageIO). Missing normals are made, and missing tangents where a material has a normal map. Lanes
+/// come from the scene's `extras.cps_lanes`:
 /// `[{"street": "A", "width_m": 3.25, "points": [[x, y, z], …]}, …]`.
 /// What can be left out without changing the shape of things (extensions of materials, animations, …) is
 /// noted in `warnings`, a line each. Throws std::runtime_error with one line (file, what, fix) for what is

@@ -102,19 +102,20 @@ int add_attribute(Document& document, const draco::Mesh& mesh, int id, bool norm
 }  // namespace
 
 bool complete_draco_accessors(nlohmann::json& root) {
+  const nlohmann::json::json_pointer view("/extensions/" + std::string(extension_name) + "/bufferView");
+  if (!root.contains("meshes") || !root.contains("accessors")) return false;
+  nlohmann::json& accessors = root["accessors"];
   bool changed = false;
-  for (const auto& mesh : root.value("meshes", nlohmann::json::array()))
-    for (const auto& primitive : mesh.value("primitives", nlohmann::json::array())) {
-      const auto view =
-          nlohmann::json::json_pointer("/extensions/" + std::string(extension_name) + "/bufferView");
+  for (const auto& mesh : root["meshes"]) {
+    if (!mesh.contains("primitives")) continue;
+    for (const auto& primitive : mesh["primitives"]) {
       if (!primitive.contains(view) || !primitive.contains("indices")) continue;
       const std::size_t index = primitive["indices"];
-      nlohmann::json& accessors = root["accessors"];
-      if (!accessors.is_array() || index >= accessors.size() || accessors[index].contains("bufferView"))
-        continue;
+      if (index >= accessors.size() || accessors[index].contains("bufferView")) continue;
       accessors[index]["bufferView"] = primitive[view];
       changed = true;
     }
+  }
   return changed;
 }
 

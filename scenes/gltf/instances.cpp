@@ -63,7 +63,7 @@ void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::strin
       warn(document, where + ": its scale is 0 along an axis, not drawn");
       continue;
     }
-    const std::vector<int>& parts = mesh_indices(meshes, node.mesh);
+    const std::vector<int>& parts = shared_meshes(meshes, node.mesh);
     reserve_memory(document, where, parts.size(), sizeof(Instance));
     for (const int mesh : parts) meshes.scene.instances.push_back({mesh, world_from_mesh});
   }
@@ -82,7 +82,7 @@ void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
     if (node.skin == -1) {
       add_instances(meshes, place, where);
     } else {  // the joints alone say where a skinned mesh stands
-      for (const int mesh : skinned_mesh(meshes, node.mesh, joint_transforms(document, node.skin, placed)))
+      for (const int mesh : add_meshes(meshes, node.mesh, joint_transforms(document, node.skin, placed)))
         meshes.scene.instances.push_back({mesh, Eigen::Affine3f::Identity()});
     }
   }

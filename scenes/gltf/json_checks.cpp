@@ -125,15 +125,24 @@ void check_numbers(const std::filesystem::path& file, const json& root) {
   for (const char* path : numbers) check(path, is_number, "a number");
 }
 
+/// Before parsing, for text that need not be JSON.
+bool is_nested_deeper(std::string_view text, int limit) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size() && depth <= limit; ++i) {
+    const char c = text[i];
+    if (c == '"') in_string = !in_string;
+    if (in_string && c == '\\') ++i;
+    if (!in_string) depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+  }
+  return depth > limit;
+}
+
 json parse(const std::filesystem::path& file, std::string_view text) {
-  const auto check_depth = [&](int depth, json::parse_event_t, json&) {
-    if (depth > max_depth)
-      refuse(file, "JSON",
-             "nested deeper than " + std::to_string(max_depth) + " levels: is this a glTF file?");
-    return true;
-  };
+  if (is_nested_deeper(text, max_depth))
+    refuse(file, "JSON", "nested deeper than " + std::to_string(max_depth) + " levels: is this a glTF file?");
   try {
-    return json::parse(text.begin(), text.end(), check_depth);
+    return json::parse(text.begin(), text.end());
   } catch (const json::exception& error) {
     refuse(file, "JSON", std::string("cannot be parsed (") + error.what() + "): is the file complete?");
   }

@@ -12,8 +12,8 @@ namespace cps::gltf {
 struct MaterialTable {
   Document& document;
   Scene& scene;
-  std::map<int, int> materials;                        ///< glTF material (−1: the default one) → scene's
-  std::map<std::tuple<int, int, bool>, int> textures;  ///< glTF image, sampler, is colour → scene's
+  std::map<int, int> materials = {};  ///< glTF material (−1: the default one) → scene's
+  std::map<std::tuple<int, int, bool>, int> textures = {};  ///< glTF image, sampler, is colour → scene's
 };
 
 /// The scene's index of a glTF material, −1 meaning glTF's default material. An image that serves as colour

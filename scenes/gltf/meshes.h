@@ -9,20 +9,20 @@
 
 namespace cps::gltf {
 
-/// Turns the glTF meshes that nodes really use into the scene's, each once.
+/// The scene's meshes and which glTF mesh they came from. Only those that nodes really use are made.
 struct MeshTable {
   Document& document;
   Scene& scene;
   MaterialTable materials;
-  std::map<int, std::vector<int>> meshes;  ///< glTF mesh → scene's, one per primitive
+  std::map<int, std::vector<int>> shared = {};  ///< glTF mesh → scene's, one for each primitive of triangles
 };
 
-/// The scene's meshes for a glTF mesh: one for each of its primitives that are triangles. Points and lines
-/// are left out with a warning; missing or broken normals and tangents are made.
-const std::vector<int>& mesh_indices(MeshTable& table, int gltf_mesh);
+/// Adds a glTF mesh to the scene, one mesh for each of its primitives of triangles, and returns their
+/// indices. With `joint_transforms` (a skin's) it is bent to the world's frame.
+std::vector<int> add_meshes(MeshTable& table, int gltf_mesh,
+                            std::span<const Eigen::Affine3f> joint_transforms);
 
-/// The same, bent to the world's frame by a skin's joint transforms: made anew at each call.
-std::vector<int> skinned_mesh(MeshTable& table, int gltf_mesh,
-                              std::span<const Eigen::Affine3f> joint_transforms);
+/// The scene's meshes for a glTF mesh without a skin, added on first use.
+const std::vector<int>& shared_meshes(MeshTable& table, int gltf_mesh);
 
 }  // namespace cps::gltf

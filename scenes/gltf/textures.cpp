@@ -101,7 +101,8 @@ TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
     const auto offset = extension_numbers(document, transform, "offset", {0, 0}, name);
     const auto scale = extension_numbers(document, transform, "scale", {1, 1}, name);
     const double rotation = extension_numbers(document, transform, "rotation", {0}, name)[0];
-    if (transform.Has("texCoord")) slot.uv_set = transform.Get("texCoord").GetNumberAsInt();
+    if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
+      slot.uv_set = transform.Get("texCoord").GetNumberAsInt();
     // Anticlockwise as seen with v pointing down, as the extension's own example and all viewers have it; the
     // GLSL lines in its text turn the other way (KhronosGroup/glTF, 1563).
     slot.uv_transform = Eigen::Translation2d(offset[0], offset[1]).cast<float>() *

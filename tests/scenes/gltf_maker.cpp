@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -113,6 +114,24 @@ GltfMaker one_square() {
   maker.json["nodes"] = {{{"mesh", 0}}};
   maker.json["scenes"] = {{{"nodes", {0}}}};
   maker.json["scene"] = 0;
+  return maker;
+}
+
+GltfMaker skinned_triangle() {
+  GltfMaker maker = one_triangle();
+  const double half = std::sqrt(0.5);
+  const int binds = maker.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1,  //
+                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1},
+                                     "MAT4");
+  maker.primitive()["attributes"]["JOINTS_0"] =
+      maker.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 3);
+  maker.primitive()["attributes"]["WEIGHTS_0"] =
+      maker.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4");
+  maker.json["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", binds}}};
+  maker.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
+                         {{"translation", {10, 0, 0}}},
+                         {{"rotation", {0, 0, half, half}}}};
+  maker.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
   return maker;
 }
 

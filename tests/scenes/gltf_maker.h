@@ -42,6 +42,11 @@ GltfMaker one_triangle();
 /// TEXCOORD_0, and material 0.
 GltfMaker one_square();
 
+/// The triangle with a skin of two joints: node 1, moved by (10,0,0) in the rest pose and by (4,0,0) when
+/// bound, and node 2 at the origin, turned by 90° about z. The mesh's own node is moved, which skinned meshes
+/// ignore.
+GltfMaker skinned_triangle();
+
 /// PNG, or what `format` says, of `channels` × width × height values.
 std::vector<unsigned char> encode_image(const std::string& format, int width, int height, int channels,
                                         const std::vector<std::uint8_t>& values);

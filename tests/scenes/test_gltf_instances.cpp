@@ -33,31 +33,6 @@ TEST_CASE("EXT_mesh_gpu_instancing repeats a mesh in its node's frame") {
   CHECK(refusal(maker) == where + ": its attributes differ in count");
 }
 
-namespace {
-
-/// The triangle with a skin of two joints: node 1, moved by (10,0,0) in the rest pose and by (4,0,0) when
-/// bound, and node 2 at the origin, turned by 90° about z. The mesh's own node is moved, which skinned meshes
-/// ignore.
-GltfMaker skinned_triangle() {
-  GltfMaker maker = one_triangle();
-  const double half = std::sqrt(0.5);
-  const int binds = maker.add_floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1,  //
-                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  0, 0, 1},
-                                     "MAT4");
-  maker.primitive()["attributes"]["JOINTS_0"] =
-      maker.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, 5121, "VEC4", 3);
-  maker.primitive()["attributes"]["WEIGHTS_0"] =
-      maker.add_floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5, 0.5, 0, 0}, "VEC4");
-  maker.json["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", binds}}};
-  maker.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
-                         {{"translation", {10, 0, 0}}},
-                         {{"rotation", {0, 0, half, half}}}};
-  maker.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
-  return maker;
-}
-
-}  // namespace
-
 TEST_CASE("a skin is drawn in rest pose: weights blend the joints' transforms") {
   const cps::Scene scene = import_glb(skinned_triangle());
   REQUIRE(scene.instances.size() == 1);

@@ -38,7 +38,11 @@ std::vector<Bytes> valid_files() {
   strip.primitive()["mode"] = 5;
   strip.primitive()["attributes"].erase("NORMAL");
   const std::string text = strip.gltf();
-  return {one_triangle().glb(), rich.glb(), Bytes(text.begin(), text.end())};
+  GltfMaker repeated = one_triangle();
+  const int translations = repeated.add_floats({1, 0, 0, 2, 0, 0}, "VEC3");
+  repeated.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+      translations;
+  return {rich.glb(), skinned_triangle().glb(), repeated.glb(), Bytes(text.begin(), text.end())};
 }
 
 /// A few bytes overwritten, flipped, removed, repeated, or the end cut off.
