@@ -18,6 +18,7 @@ struct Geometry {
   std::vector<Eigen::Vector2f> uv1;                     ///< empty or one per vertex
   std::vector<Eigen::Array<Eigen::half, 4, 1>> colors;  ///< empty or one per vertex
   const SurfaceMaterial* material = nullptr;
+  bool viewer_only = false;  ///< an inside-out shell: light passes, see inside_out.h
 
   /// Base colour's alpha where barycentric (u, v) hits a triangle, on the full image.
   float alpha(std::uint32_t triangle, float u, float v) const;

@@ -56,6 +56,7 @@ Path camera_path(const Lens& lens, std::uint64_t seed, int x, int y, int index) 
   path.ray.origin = lens.position;
   path.ray.direction = lens.world_from_camera * (on_plane * cosine);
   path.ray.id = static_cast<std::uint32_t>(mix64(path.sampler.pixel_key + static_cast<std::uint64_t>(index)));
+  path.ray.from_viewer = true;
   // A pixel covers cos³/(fx fy) sr: the angle to its square root, smaller towards the corners.
   path.cone_spread = lens.footprint * cosine * std::sqrt(cosine / (lens.fx * lens.fy));
   path.alive = true;

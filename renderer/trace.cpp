@@ -10,6 +10,11 @@
 namespace cps {
 namespace {
 
+/// Embree tests a ray against a geometry where their masks share a bit.
+constexpr unsigned viewer_mask = 1, light_mask = 2;
+
+unsigned mask_of(const Ray& ray) { return ray.from_viewer ? viewer_mask : light_mask; }
+
 RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
   RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -17,6 +22,7 @@ RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
   rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
                              0, sizeof(Eigen::Vector3i), geometry.triangles.size());
   if (geometry.material->alpha_mode != AlphaMode::opaque) set_alpha_filters(triangles, geometry);
+  rtcSetGeometryMask(triangles, geometry.viewer_only ? viewer_mask : viewer_mask | light_mask);
   rtcCommitGeometry(triangles);
   return triangles;
 }
@@ -26,6 +32,7 @@ RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& pl
   rtcSetGeometryInstancedScene(instance, shared);
   const Eigen::Matrix<float, 3, 4> columns = placement.world_from_mesh.matrix().topRows<3>();
   rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  rtcSetGeometryMask(instance, viewer_mask | light_mask);
   rtcCommitGeometry(instance);
   return instance;
 }
@@ -50,7 +57,7 @@ RTCRay to_embree(const Ray& ray) {
   r.org_x = ray.origin.x(), r.org_y = ray.origin.y(), r.org_z = ray.origin.z();
   r.dir_x = ray.direction.x(), r.dir_y = ray.direction.y(), r.dir_z = ray.direction.z();
   r.tnear = ray.t_near, r.tfar = ray.t_far;
-  r.time = 0, r.mask = ~0u, r.id = ray.id, r.flags = 0;
+  r.time = 0, r.mask = mask_of(ray), r.id = ray.id, r.flags = 0;
   return r;
 }
 
@@ -59,7 +66,7 @@ void set_lane(RTCRay8& rays, int lane, const Ray& ray) {
   rays.dir_x[lane] = ray.direction.x(), rays.dir_y[lane] = ray.direction.y(),
   rays.dir_z[lane] = ray.direction.z();
   rays.tnear[lane] = ray.t_near, rays.tfar[lane] = ray.t_far;
-  rays.time[lane] = 0, rays.mask[lane] = ~0u, rays.id[lane] = ray.id, rays.flags[lane] = 0;
+  rays.time[lane] = 0, rays.mask[lane] = mask_of(ray), rays.id[lane] = ray.id, rays.flags[lane] = 0;
 }
 
 }  // namespace

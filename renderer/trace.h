@@ -17,7 +17,8 @@ struct Ray {
   Vec3 direction;  ///< unit length
   float t_near = 0;
   float t_far = std::numeric_limits<float>::infinity();
-  std::uint32_t id = 0;  ///< decides, with the surface, whether a half-transparent surface stops the ray
+  bool from_viewer = false;  ///< meets inside-out shells, which light passes
+  std::uint32_t id = 0;      ///< decides, with the surface, whether a half-transparent surface stops the ray
 };
 
 struct Hit {
