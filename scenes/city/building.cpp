@@ -40,6 +40,7 @@ FacadeStyle draw_style(const BuildingPlan& plan, const Materials& m, Draws& draw
     s.transom = s.window_height_m > 1.6 && draws.chance(0.6);
     s.surrounds = draws.chance(0.45);
   }
+  s.balconies = plan.storeys > 2 && !plan.shops && draws.chance(modern ? 0.5 : 0.12);
   s.shutter_share = draws.chance(0.4) ? draws.uniform(0.1, 0.5) : 0;
   s.curtain_share = draws.uniform(0.2, 0.5);
   return s;
@@ -101,14 +102,15 @@ void add_walls(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const Fac
     add_facade(mesh, make_wall(f.front[i], f.front[i + 1], h, above), style, ground, !plan.distant, m, draws);
   }
   FacadeStyle quiet = style;
-  quiet.surrounds = false;
+  quiet.surrounds = quiet.balconies = false;
+  quiet.bay_m *= 1.25;
   const Polyline back = f.line_at(f.depth_m);
   const auto add_side = [&](const Vec2& from, const Vec2& to, bool blank) {
     const Wall wall = make_wall(from, to, h, above);
     if (blank)
       add_blank_wall(mesh, wall, style.wall);
     else
-      add_facade(mesh, wall, quiet, GroundFloor::windows, plan.detached, m, draws);
+      add_facade(mesh, wall, quiet, GroundFloor::windows, false, m, draws);
   };
   add_side(f.front[last], back[last], plan.party_end);
   for (std::size_t i = last; i > 0; --i) add_side(back[i], back[i - 1], false);
@@ -134,7 +136,9 @@ Mesh building(const BuildingPlan& plan, const Materials& m, Stream stream) {
   Draws openings{substream(stream, 1)}, details{substream(stream, 2)};
   add_walls(mesh, plan, heights, style, m, openings);
   add_mouldings(mesh, plan, heights, m, details);
-  const RoofPlan roof{plan.roof, draws.uniform(33, 48), !plan.party_start, !plan.party_end, style.wall};
+  const RoofPlan roof{plan.roof,         draws.uniform(33, 48),
+                      !plan.party_start, !plan.party_end,
+                      style.wall,        !plan.distant && draws.chance(0.55)};
   add_roof(mesh, plan.footprint, heights.eaves, roof, m, details);
   if (const Polygon wing = rear_wing(plan); !wing.empty()) {
     const int storeys = std::max(1, plan.storeys - 2);

@@ -8,6 +8,7 @@
 namespace cps::city {
 namespace {
 
+constexpr double near_street_m = 8;
 constexpr double door_width_m = 1.15, door_height_m = 2.5;  // with the light above the leaf
 
 /// One storey of wall with its openings cut out: piers between them, and the wall below and above each.
@@ -74,10 +75,28 @@ void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceil
   quad(width - 0.3, 0.3, front - 0.2, out, front, out);
 }
 
+/// A slab with a railing in front of a window.
+void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, double floor,
+                 const Materials& m) {
+  constexpr double out = 1.15, railing = 1.0;
+  const double u0 = window.u0 - 0.45, u1 = window.u1 + 0.45;
+  add_bar(mesh.surfaces[m.concrete[0].material], frame, u0, u1, floor - 0.16, floor, 0, out, 3);
+  Surface& bars = mesh.surfaces[m.pole];
+  add_bar(bars, frame, u0, u1, floor + railing - 0.05, floor + railing, out - 0.06, out - 0.01);
+  for (const double u : {u0, u1 - 0.04})
+    add_bar(bars, frame, u, u + 0.04, floor + railing - 0.05, floor + railing, 0, out - 0.01);
+  const int posts = static_cast<int>((u1 - u0) / 0.14);
+  for (int i = 0; i <= posts; ++i) {
+    const double u = u0 + (u1 - u0 - 0.025) * i / posts;
+    add_bar(bars, frame, u, u + 0.025, floor, floor + railing - 0.05, out - 0.05, out - 0.025, 1,
+            left_face | right_face);
+  }
+}
+
 }  // namespace
 
 void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFloor ground_floor,
-                bool detailed, const Materials& materials, Draws& draws) {
+                bool on_street, const Materials& materials, Draws& draws) {
   const double width = (wall.to - wall.from).norm();
   const int bays = static_cast<int>((width - 0.6) / style.bay_m);
   if (bays < 1) return add_blank_wall(mesh, wall, style.wall);
@@ -85,13 +104,17 @@ void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFl
   for (std::size_t k = 0; k < wall.floors.size(); ++k) {
     const double floor = wall.floors[k],
                  ceiling = k + 1 < wall.floors.size() ? wall.floors[k + 1] : wall.eaves;
+    const Detail detail = !on_street              ? Detail::plain
+                          : floor < near_street_m ? Detail::near_street
+                                                  : Detail::upper_storey;
     const WallMaterial& material = k == 0 ? style.ground_wall : style.wall;
     const std::vector<Opening> openings =
         k == 0 ? ground_storey(width, bays, floor, ceiling, style, ground_floor, draws)
                : upper_storey(width, bays, floor, ceiling, style);
     add_storey(mesh, frame, width, floor, ceiling, openings, material);
-    for (const Opening& o : openings)
-      add_opening(mesh, frame, o, style, material, detailed, materials, draws);
+    for (const Opening& o : openings) add_opening(mesh, frame, o, style, material, detail, materials, draws);
+    for (std::size_t b = 1; style.balconies && k > 0 && b + 1 < openings.size(); b += 2)
+      add_balcony(mesh, frame, openings[b], floor, materials);
     if (k == 0 && ground_floor == GroundFloor::shop)
       add_shop_sign(mesh, frame, width, ceiling, materials, draws);
   }

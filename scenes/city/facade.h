@@ -15,6 +15,7 @@ struct FacadeStyle {
   int mullions = 1;
   bool transom = false;
   bool surrounds = false;  ///< raised frames around windows
+  bool balconies = false;  ///< at every other bay of the upper storeys
   double shutter_share = 0.15, curtain_share = 0.35;
 };
 
@@ -26,11 +27,16 @@ struct Wall {
   double eaves = 3;            ///< ceiling of the last storey
 };
 
+/// How much of an opening is modelled: everything; without what only a near camera sees; frame and pane
+/// alone.
+enum class Detail { near_street, upper_storey, plain };
+
 enum class GroundFloor { windows, entrance, shop };
 
-/// Adds the wall with its openings; `detailed` walls get frames with depth, sills and mullions.
+/// Adds the wall with its openings; of walls on a street the upper storeys have less detail than the lower
+/// ones.
 void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFloor ground_floor,
-                bool detailed, const Materials& materials, Draws& draws);
+                bool on_street, const Materials& materials, Draws& draws);
 
 /// The same without openings.
 void add_blank_wall(Mesh& mesh, const Wall& wall, const WallMaterial& material);

@@ -29,7 +29,7 @@ TextureSet asphalt_texture(Stream stream) {
     Texel t;
     t.color = {light + warmth, light + 0.4 * warmth, light};
     t.height_m = 0.0016 * face + 0.001 * blotch;
-    t.roughness = 0.86 + 0.1 * (1 - face);
+    t.roughness = 0.88;
     return t;
   });
 }

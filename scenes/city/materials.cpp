@@ -71,6 +71,7 @@ void add_walls(GlbWriter& writer, Materials& m, std::uint64_t seed) {
         {writer.add_material(tinted(plaster, "plaster_" + std::to_string(i), tint)), plaster_tile_m});
   }
   m.stone = {writer.add_material(tinted(plaster, "stone", {0.62, 0.58, 0.52})), plaster_tile_m};
+  m.trim = writer.add_material(plain("trim", {0.50, 0.47, 0.42}, 0.85));
   const MaterialDescription brick = textured(writer, "brick", brick_texture(make_stream(seed, "brick")));
   m.brick.push_back({writer.add_material(brick), brick_tile_m});
   m.brick.push_back({writer.add_material(tinted(brick, "brick_dark", {0.6, 0.62, 0.66})), brick_tile_m});

@@ -16,7 +16,8 @@ struct WallMaterial {
 struct Materials {
   MaterialId asphalt, asphalt_patch, tar, paving, kerb, gutter, grass, soil, road_paint, manhole;
   std::vector<WallMaterial> plaster, brick, concrete;
-  WallMaterial stone;  ///< plinths, sills, cornices
+  WallMaterial stone;  ///< plinths, cornices
+  MaterialId trim;     ///< sills and window surrounds
   MaterialId glass, curtained_glass, shutter, frame_white, frame_dark, door_wood, door_dark, awning;
   std::vector<MaterialId> shop_sign;
   MaterialId roof_tiles, roof_flat, roof_metal;

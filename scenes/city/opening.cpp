@@ -68,43 +68,47 @@ void add_ring(Surface& surface, const WallFrame& f, const Opening& o, double bar
 
 /// A frame of `bar` metres around the opening with glass behind, both set back into the wall.
 void add_sash(Mesh& mesh, const WallFrame& f, const Opening& o, double bar, double back, MaterialId frame,
-              MaterialId pane, bool detailed) {
+              MaterialId pane, bool deep) {
   Surface& s = mesh.surfaces[frame];
   add_ring(s, f, o, bar, -back);
-  const double glass = detailed ? back + 0.04 : back;
-  if (detailed) add_rim(s, f, o.u0 + bar, o.u1 - bar, o.z0 + bar, o.z1 - bar, -glass, -back, false, 1);
+  const double glass = deep ? back + 0.04 : back;
+  if (deep) add_rim(s, f, o.u0 + bar, o.u1 - bar, o.z0 + bar, o.z1 - bar, -glass, -back, false, 1);
   add_panel(mesh.surfaces[pane], f, o.u0 + bar, o.u1 - bar, o.z0 + bar, o.z1 - bar, -glass);
 }
 
-void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeStyle& style, bool detailed,
+void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeStyle& style, Detail detail,
                 const Materials& m, Draws& draws) {
   const double bar = 0.07, back = style.reveal_m;
   const bool curtained = draws.chance(style.curtain_share);
-  add_sash(mesh, f, o, bar, back, style.frame, curtained ? m.curtained_glass : m.glass, detailed);
+  add_sash(mesh, f, o, bar, back, style.frame, curtained ? m.curtained_glass : m.glass,
+           detail == Detail::near_street);
   if (draws.chance(style.shutter_share)) {  // a roller shutter, let down part of the way
     const double down = draws.chance(0.3) ? 1.0 : draws.uniform(0.15, 0.6);
     add_bar(mesh.surfaces[m.shutter], f, o.u0, o.u1, o.z1 - down * (o.z1 - o.z0), o.z1, -back, -back + 0.03,
             1, lower_face);
   }
-  if (!detailed) return;
+  if (detail == Detail::plain) return;
+  const bool deep = detail == Detail::near_street;
+  const double pane = deep ? back + 0.04 : back;
   Surface& bars = mesh.surfaces[style.frame];
   for (int k = 1; k <= style.mullions; ++k) {
     const double u = o.u0 + (o.u1 - o.u0) * k / (style.mullions + 1);
-    add_bar(bars, f, u - 0.035, u + 0.035, o.z0 + bar, o.z1 - bar, -back - 0.04, -back - 0.002, 1,
-            left_face | right_face);
+    add_bar(bars, f, u - 0.035, u + 0.035, o.z0 + bar, o.z1 - bar, -pane, -back + 0.003, 1,
+            deep ? left_face | right_face : no_faces);
   }
   if (style.transom) {
     const double z = o.z0 + (o.z1 - o.z0) * 0.68;
-    add_bar(bars, f, o.u0 + bar, o.u1 - bar, z - 0.03, z + 0.03, -back - 0.04, -back - 0.001, 1,
-            lower_face | upper_face);
+    add_bar(bars, f, o.u0 + bar, o.u1 - bar, z - 0.03, z + 0.03, -pane, -back + 0.004, 1,
+            deep ? lower_face | upper_face : no_faces);
   }
-  Surface& stone = mesh.surfaces[m.stone.material];
-  add_bar(stone, f, o.u0 - 0.06, o.u1 + 0.06, o.z0 - 0.06, o.z0, -back, 0.07, m.stone.tile_m);
+  Surface& trim = mesh.surfaces[m.trim];
+  add_bar(trim, f, o.u0 - 0.06, o.u1 + 0.06, o.z0 - 0.06, o.z0, -back, 0.07, 1,
+          deep ? all_faces : lower_face | upper_face);
   if (style.surrounds) {
-    const double w = 0.14, tile = m.stone.tile_m;
-    add_bar(stone, f, o.u0 - w, o.u0, o.z0, o.z1 + w, 0, 0.035, tile, left_face);
-    add_bar(stone, f, o.u1, o.u1 + w, o.z0, o.z1 + w, 0, 0.035, tile, right_face);
-    add_bar(stone, f, o.u0, o.u1, o.z1, o.z1 + w, 0, 0.035, tile, lower_face);
+    const double w = 0.14;
+    add_bar(trim, f, o.u0 - w, o.u0, o.z0, o.z1 + w, 0, 0.035, 1, left_face);
+    add_bar(trim, f, o.u1, o.u1 + w, o.z0, o.z1 + w, 0, 0.035, 1, right_face);
+    add_bar(trim, f, o.u0, o.u1, o.z1, o.z1 + w, 0, 0.035, 1, lower_face);
   }
 }
 
@@ -143,14 +147,14 @@ void add_shop_front(Mesh& mesh, const WallFrame& f, const Opening& o, const Mate
 }  // namespace
 
 void add_opening(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeStyle& style,
-                 const WallMaterial& wall, bool detailed, const Materials& m, Draws& draws) {
+                 const WallMaterial& wall, Detail detail, const Materials& m, Draws& draws) {
   const double back = o.kind == Opening::Kind::door   ? 0.27
                       : o.kind == Opening::Kind::shop ? 0.12
                                                       : style.reveal_m;
   add_rim(mesh.surfaces[wall.material], f, o.u0, o.u1, o.z0, o.z1, -back, 0, false, wall.tile_m);
   switch (o.kind) {
     case Opening::Kind::window:
-      return add_window(mesh, f, o, style, detailed, m, draws);
+      return add_window(mesh, f, o, style, detail, m, draws);
     case Opening::Kind::door:
       return add_door(mesh, f, o, style, m, draws);
     case Opening::Kind::shop:

@@ -25,13 +25,20 @@ void add_panel(Surface& surface, const WallFrame& frame, double u0, double u1, d
                double tile_m = 1);
 
 /// The sides of a bar: those that touch something else need no faces.
-enum Faces : unsigned { left_face = 1, right_face = 2, lower_face = 4, upper_face = 8, all_faces = 15 };
+enum Faces : unsigned {
+  no_faces = 0,
+  left_face = 1,
+  right_face = 2,
+  lower_face = 4,
+  upper_face = 8,
+  all_faces = 15
+};
 
 /// A bar standing out of the wall from w0 to w1: its front and the named sides.
 void add_bar(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w0,
              double w1, double tile_m = 1, unsigned faces = all_faces);
 
 void add_opening(Mesh& mesh, const WallFrame& frame, const Opening& opening, const FacadeStyle& style,
-                 const WallMaterial& wall, bool detailed, const Materials& materials, Draws& draws);
+                 const WallMaterial& wall, Detail detail, const Materials& materials, Draws& draws);
 
 }  // namespace cps::city

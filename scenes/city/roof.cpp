@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/city/opening.h"
 #include "scenes/city/strip.h"
 #include "scenes/city/textures.h"
 
@@ -12,6 +13,7 @@ namespace cps::city {
 namespace {
 
 constexpr double overhang_m = 0.45, slab_m = 0.2;
+constexpr double mansard_depth_m = 0.95, mansard_rise_m = 2.5;  // of the steep part
 
 /// Swept around as a closed section: top from front to back, underside back again.
 std::vector<ProfilePoint> slab(const std::vector<ProfilePoint>& top) {
@@ -55,7 +57,7 @@ double add_gable(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& p
 }
 
 double add_mansard(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m) {
-  const double break_in = 0.95, break_up = 2.5, rise = 1.2;
+  const double break_in = mansard_depth_m, break_up = mansard_rise_m, rise = 1.2;
   const std::vector<ProfilePoint> section{{0, eaves},
                                           {break_in, eaves + break_up},
                                           {f.depth_m / 2, eaves + break_up + rise},
@@ -118,6 +120,30 @@ double add_flat(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   return top;
 }
 
+/// Dormers in the front slope, which rises by `slope` from `start` metres behind the eaves line at `foot`
+/// height.
+void add_dormers(Mesh& mesh, const Footprint& f, double foot, double slope, double start, const Materials& m,
+                 Draws& draws) {
+  const double width = draws.uniform(1.2, 1.7), spacing = draws.uniform(3.2, 5.5), height = 1.45;
+  const double sill = foot + slope * start;  // where the dormer's front stands on the slope
+  for (std::size_t i = 1; i < f.front.size(); ++i) {
+    const Vec2 a = f.front[i - 1], b = f.front[i], along = (b - a).normalized(), in = left_of(along);
+    const double room = (b - a).norm() - 5, deep = height / slope + 0.25;
+    const int count = static_cast<int>(room / spacing);
+    for (int k = 0; k < count; ++k) {
+      const Vec2 middle = a + along * (2.5 + room * (k + 0.5) / count) + in * (start + deep / 2);
+      add_box(mesh.surfaces[m.roof_metal], middle, along, width / 2, deep / 2, sill - 0.1, sill + height);
+      add_box(mesh.surfaces[m.roof_metal], middle - in * 0.1, along, width / 2 + 0.12, deep / 2,
+              sill + height, sill + height + 0.1, 1, true);
+      const WallFrame frame{middle - in * (deep / 2) - along * (width / 2), along, -in};
+      add_bar(mesh.surfaces[m.frame_white], frame, 0.1, width - 0.1, sill + 0.15, sill + height - 0.1, 0,
+              0.03);
+      for (const auto& [u0, u1] : {std::pair{0.18, width / 2 - 0.03}, {width / 2 + 0.03, width - 0.18}})
+        add_panel(mesh.surfaces[m.glass], frame, u0, u1, sill + 0.23, sill + height - 0.18, 0.034);
+    }
+  }
+}
+
 }  // namespace
 
 double add_roof(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m,
@@ -126,6 +152,11 @@ double add_roof(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   const double ridge = plan.kind == RoofKind::hip       ? add_hip(mesh, f, eaves, plan, m)
                        : plan.kind == RoofKind::mansard ? add_mansard(mesh, f, eaves, plan, m)
                                                         : add_gable(mesh, f, eaves, plan, m);
+  const double slope = std::tan(plan.pitch_deg * std::numbers::pi / 180);
+  if (plan.dormers && plan.kind == RoofKind::mansard)
+    add_dormers(mesh, f, eaves, mansard_rise_m / mansard_depth_m, 0.25, m, draws);
+  else if (plan.dormers && plan.kind == RoofKind::gable && slope * f.depth_m / 2 > 2.9)
+    add_dormers(mesh, f, eaves + slab_m, slope, 1.0, m, draws);
   add_chimneys(mesh, f, eaves, ridge, m, draws);
   return ridge;
 }

@@ -16,6 +16,7 @@ struct RoofPlan {
   double pitch_deg = 40;
   bool free_start = false, free_end = false;  ///< no neighbour there: the roof projects
   WallMaterial wall;                          ///< of gables
+  bool dormers = false;
 };
 
 /// The roof over a footprint whose walls end at `eaves` metres; returns the height of its highest point.

@@ -1,0 +1,143 @@
+#include <tiny_gltf.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "scenes/city/city.h"
+
+using namespace cps;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TemporaryFolder {
+  fs::path path = fs::temp_directory_path() / ("cps_test_city_" + std::to_string(::getpid()));
+  TemporaryFolder() { fs::create_directories(path); }
+  ~TemporaryFolder() { fs::remove_all(path); }
+};
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+template <typename T>
+const T* data_of(const tinygltf::Model& model, int accessor) {
+  const tinygltf::BufferView& view = model.bufferViews[model.accessors[accessor].bufferView];
+  return reinterpret_cast<const T*>(
+      &model.buffers[view.buffer].data[view.byteOffset + model.accessors[accessor].byteOffset]);
+}
+
+void check_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  const tinygltf::Accessor& positions = model.accessors[primitive.attributes.at("POSITION")];
+  const float* p = data_of<float>(model, primitive.attributes.at("POSITION"));
+  for (std::size_t i = 0; i < positions.count * 3; ++i)
+    if (!(p[i] >= positions.minValues[i % 3] && p[i] <= positions.maxValues[i % 3]))
+      FAIL_CHECK("position outside min/max");
+  const float* n = data_of<float>(model, primitive.attributes.at("NORMAL"));
+  for (std::size_t i = 0; i < positions.count; ++i)
+    if (std::abs(std::hypot(n[3 * i], n[3 * i + 1], n[3 * i + 2]) - 1) > 1e-4)
+      FAIL_CHECK("normal is not a unit vector");
+  if (const auto uv = primitive.attributes.find("TEXCOORD_0"); uv != primitive.attributes.end()) {
+    const float* t = data_of<float>(model, uv->second);
+    for (std::size_t i = 0; i < positions.count * 2; ++i)
+      if (!std::isfinite(t[i])) FAIL_CHECK("texture coordinate is not finite");
+  }
+  const tinygltf::Accessor& indices = model.accessors[primitive.indices];
+  CHECK(indices.count % 3 == 0);
+  for (std::size_t i = 0; i < indices.count; ++i) {
+    const std::uint32_t index = indices.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT
+                                    ? data_of<std::uint16_t>(model, primitive.indices)[i]
+                                    : data_of<std::uint32_t>(model, primitive.indices)[i];
+    if (index >= positions.count) FAIL_CHECK("index out of range");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a city's file is a function of its options, and reads back sane") {
+  const TemporaryFolder folder;
+  const fs::path first = folder.path / "first.glb", again = folder.path / "again.glb",
+                 other = folder.path / "other.glb";
+  const CityOptions options{.seed = 7, .extent_m = 300};
+  const CitySummary summary = write_city(options, first);
+  write_city(options, again);
+  write_city({.seed = 8, .extent_m = 300}, other);
+  const std::string bytes = bytes_of(first);
+  CHECK(bytes == bytes_of(again));
+  CHECK(bytes != bytes_of(other));
+  CHECK(bytes.size() == summary.bytes);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
+    CHECK(entry.path().extension() == ".glb");
+
+  std::uint32_t header[3];
+  std::memcpy(header, bytes.data(), sizeof header);
+  CHECK(header[0] == 0x46546C67);
+  CHECK(header[1] == 2);
+  CHECK(header[2] == bytes.size());
+
+  tinygltf::TinyGLTF reader;
+  tinygltf::Model model;
+  std::string error, warning;
+  REQUIRE(reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                      reinterpret_cast<const unsigned char*>(bytes.data()),
+                                      static_cast<unsigned>(bytes.size())));
+  CHECK(error.empty());
+  CHECK(warning.empty());
+  std::size_t triangles = 0;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    CHECK_FALSE(mesh.name.empty());
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      check_primitive(model, primitive);
+      const tinygltf::Material& material = model.materials[primitive.material];
+      if (material.normalTexture.index >= 0) CHECK(primitive.attributes.count("TEXCOORD_0") == 1);
+    }
+  }
+  for (const tinygltf::Node& node : model.nodes) {
+    CHECK_FALSE(node.name.empty());
+    for (const tinygltf::Primitive& primitive : model.meshes[node.mesh].primitives)
+      triangles += model.accessors[primitive.indices].count / 3;
+  }
+  CHECK(triangles == summary.instanced_triangles);
+  for (const tinygltf::Image& image : model.images) CHECK(std::min(image.width, image.height) >= 512);
+  for (const tinygltf::Material& material : model.materials) CHECK_FALSE(material.name.empty());
+
+  const tinygltf::Value lanes = model.scenes[0].extras.Get("cps_lanes");
+  REQUIRE(lanes.ArrayLen() == summary.lanes);
+  double km = 0;
+  for (std::size_t i = 0; i < lanes.ArrayLen(); ++i) {
+    const tinygltf::Value& lane = lanes.Get(static_cast<int>(i));
+    CHECK(lane.Get("street").IsString());
+    CHECK(lane.Get("width_m").GetNumberAsDouble() >= 3.0);
+    const tinygltf::Value& points = lane.Get("points");
+    REQUIRE(points.ArrayLen() >= 2);
+    for (std::size_t k = 1; k < points.ArrayLen(); ++k) {
+      const auto at = [&](std::size_t j, int axis) {
+        return points.Get(static_cast<int>(j)).Get(axis).GetNumberAsDouble();
+      };
+      CHECK(at(k, 1) == 0);
+      km += std::hypot(at(k, 0) - at(k - 1, 0), at(k, 2) - at(k - 1, 2)) / 1000;
+    }
+  }
+  CHECK(km == Approx(summary.lane_km).epsilon(1e-4));
+}
+
+TEST_CASE("what cannot be made is refused in one line and leaves no file") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path / "city.glb";
+  for (const CityOptions& bad : {CityOptions{.extent_m = 20}, CityOptions{.extent_m = std::nan("")},
+                                 CityOptions{.tree_density = -1}, CityOptions{.parked_cars = 9}}) {
+    std::string why;
+    CHECK_FALSE(bad.is_valid(&why));
+    CHECK_FALSE(why.empty());
+    CHECK_THROWS_AS(write_city(bad, file), std::runtime_error);
+  }
+  CHECK_THROWS_AS(write_city({.extent_m = 300}, folder.path / "no" / "such" / "folder" / "city.glb"),
+                  std::runtime_error);
+  CHECK(fs::is_empty(folder.path));
+}

@@ -1,0 +1,134 @@
+#include <catch2/catch.hpp>
+
+#include "scenes/city/roadside.h"
+#include "scenes/city/surroundings.h"
+
+using namespace cps;
+using namespace cps::city;
+
+namespace {
+
+constexpr int seeds = 6;
+
+/// Materials and models do not decide where things stand: one set serves all seeds.
+struct Catalogue {
+  GlbWriter writer;
+  Materials materials = make_materials(writer, 0);
+  ModelLibrary models = make_models(writer, materials, 0);
+};
+
+const Catalogue& catalogue() {
+  static const Catalogue shared;
+  return shared;
+}
+
+double distance(const Polyline& lane, const Polygon& ground) {
+  double nearest = 1e9;
+  for (const Vec2& p : ground) nearest = std::min(nearest, distance_to_line(lane, p));
+  for (double s = 0; s < length(lane); s += 0.5)
+    nearest = std::min(nearest, distance_to_polygon(ground, station_at(lane, s).point));
+  return nearest;
+}
+
+bool is_near(const Polyline& lane, const Polygon& ground) {
+  return distance_to_line(lane, ground[0]) < 15;
+}
+
+}  // namespace
+
+TEST_CASE("every lane is free of cars, trees, poles and houses") {
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    INFO("seed " << seed);
+    const CityOptions options{.seed = seed};
+    const StreetNetwork network = draw_street_network(options);
+    const CityCharacter character = draw_character(seed);
+    const std::vector<DrivingLane> all = lanes(network);
+    int cars = 0, others = 0;
+    for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
+      const BlockPlan plan = plan_block(network, b, character, seed);
+      for (const PlacedModel& placed : furnish(network, b, plan, catalogue().models, character, options)) {
+        const bool is_car = placed.model->kind == ModelKind::car;
+        ++(is_car ? cars : others);
+        const Polygon ground = placed.footprint();
+        for (const DrivingLane& lane : all)
+          if (is_near(lane.points, ground)) {
+            const double room = distance(lane.points, ground) - lane.width_m / 2;
+            if (room < (is_car ? 0.0 : 0.2))
+              FAIL_CHECK(placed.model->name << " " << room << " m from a lane");
+          }
+      }
+      for (const BuildingPlan& house : plan.buildings)
+        for (const DrivingLane& lane : all)
+          if (is_near(lane.points, house.footprint.polygon()))
+            CHECK(distance(lane.points, house.footprint.polygon()) > lane.width_m / 2 + 1);
+    }
+    CHECK(cars > 50);
+    CHECK(others > 200);
+  }
+}
+
+TEST_CASE("nothing stands in anything else") {
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    INFO("seed " << seed);
+    const CityOptions options{.seed = seed};
+    const StreetNetwork network = draw_street_network(options);
+    const CityCharacter character = draw_character(seed);
+    for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
+      const BlockPlan plan = plan_block(network, b, character, seed);
+      std::vector<Polygon> taken;
+      for (const BuildingPlan& house : plan.buildings) {
+        taken.push_back(house.footprint.polygon());
+        if (const Polygon wing = rear_wing(house); !wing.empty()) taken.push_back(wing);
+      }
+      for (std::size_t i = 0; i < taken.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (overlap(taken[i], taken[j], 0.05))
+            FAIL_CHECK("block " << b << ": houses " << i << " and " << j);
+      for (const Polygon& house : taken)
+        for (const Vec2& corner : house) CHECK(distance_to_polygon(plan.border.points, corner) < 0.06);
+      const std::vector<PlacedModel> placed =
+          furnish(network, b, plan, catalogue().models, character, options);
+      for (std::size_t i = 0; i < placed.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+          if ((placed[i].position - placed[j].position).norm() < 8 &&
+              overlap(placed[i].footprint(), placed[j].footprint(), 0.01))
+            FAIL_CHECK(placed[i].model->name << " in " << placed[j].model->name);
+        for (const Polygon& house : taken)
+          if (overlap(placed[i].footprint(), house, 0.01)) FAIL_CHECK(placed[i].model->name << " in a house");
+      }
+    }
+  }
+}
+
+TEST_CASE("the surroundings stay outside the rim and end all views") {
+  const CityOptions options{.seed = 4};
+  const StreetNetwork network = draw_street_network(options);
+  const Surroundings around = surroundings(network, catalogue().materials, catalogue().models, options);
+  CHECK(around.models.size() > 100);
+  for (const PlacedModel& placed : around.models)
+    for (const Vec2& p : placed.footprint()) CHECK_FALSE(contains(network.rim, p));
+  double reach = 0;
+  for (const auto& [material, surface] : around.terrain.surfaces)
+    for (const Eigen::Vector3f& p : surface.positions) {
+      reach = std::max<double>(reach, p.norm());
+      if (contains(network.rim, Vec2(p.x(), -p.z()))) CHECK(p.y() < -0.1f);
+    }
+  CHECK(reach > 5000);
+}
+
+TEST_CASE("tree density and parked cars follow the options") {
+  const StreetNetwork network = draw_street_network({.seed = 5});
+  const CityCharacter character = draw_character(5);
+  const auto count = [&](const CityOptions& options, ModelKind kind) {
+    int n = 0;
+    for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b)
+      for (const PlacedModel& p :
+           furnish(network, b, plan_block(network, b, character, 5), catalogue().models, character, options))
+        n += p.model->kind == kind;
+    return n;
+  };
+  CHECK(count({.seed = 5, .tree_density = 0}, ModelKind::tree) == 0);
+  CHECK(count({.seed = 5, .parked_cars = 0}, ModelKind::car) == 0);
+  // One thing's change does not reshuffle another.
+  CHECK(count({.seed = 5, .tree_density = 0}, ModelKind::car) == count({.seed = 5}, ModelKind::car));
+}

@@ -1,0 +1,144 @@
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "scenes/city/building.h"
+#include "scenes/city/road_surface.h"
+#include "scenes/city/street_furniture.h"
+#include "scenes/city/tree.h"
+#include "scenes/city/vehicle.h"
+
+using namespace cps;
+using namespace cps::city;
+
+namespace {
+
+struct Box {
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
+};
+
+Box bounds(const Mesh& mesh) {
+  Box box;
+  for (const auto& [material, surface] : mesh.surfaces)
+    for (const Eigen::Vector3f& p : surface.positions) {
+      box.low = box.low.cwiseMin(p);
+      box.high = box.high.cwiseMax(p);
+    }
+  return box;
+}
+
+/// Arrays of equal length, unit normals, indices in range, finite coordinates, triangles with area, and
+/// normals on the side that the winding calls the front.
+void check_sane(const Mesh& mesh, double least_agreement) {
+  INFO(mesh.name);
+  for (const auto& [material, s] : mesh.surfaces) {
+    REQUIRE(s.normals.size() == s.positions.size());
+    REQUIRE(s.uvs.size() == s.positions.size());
+    REQUIRE((s.colors.empty() || s.colors.size() == s.positions.size()));
+    REQUIRE(s.indices.size() % 3 == 0);
+    for (std::size_t i = 0; i < s.positions.size(); ++i) {
+      if (!s.positions[i].allFinite() || !s.uvs[i].allFinite())
+        FAIL_CHECK("vertex " << i << " is not finite");
+      if (std::abs(s.normals[i].norm() - 1) > 1e-4f)
+        FAIL_CHECK("normal " << i << " has length " << s.normals[i].norm());
+    }
+    for (std::size_t t = 0; t < s.indices.size(); t += 3) {
+      REQUIRE(std::max({s.indices[t], s.indices[t + 1], s.indices[t + 2]}) < s.positions.size());
+      const Eigen::Vector3f &a = s.positions[s.indices[t]], &b = s.positions[s.indices[t + 1]],
+                            &c = s.positions[s.indices[t + 2]];
+      const Eigen::Vector3f face = (b - a).cross(c - a).normalized();
+      for (int k = 0; k < 3; ++k)
+        if (face.dot(s.normals[s.indices[t + k]]) < least_agreement)
+          FAIL_CHECK("triangle " << t / 3 << " is inside out");
+    }
+  }
+}
+
+Materials any_materials() {
+  Materials m{};
+  m.plaster = {{1, 3}};
+  m.brick = {{2, 2}, {3, 2}};
+  m.concrete = {{4, 3}};
+  m.stone = {5, 3};
+  m.glass = 6;
+  m.shop_sign = std::vector<MaterialId>(6, 7);
+  m.leaves = {8, 9, 10};
+  m.tyre = 11;
+  m.rim = 12;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("vehicles have their class's size, stand on the ground and are not inside out") {
+  for (const VehicleClass& c : vehicle_classes()) {
+    Mesh car = vehicle(c, any_materials(), 20);
+    check_sane(car, -0.05);
+    const Box box = bounds(car);
+    CHECK(box.low.y() == Approx(0).margin(1e-3));
+    CHECK(box.high.y() == Approx(c.height_m).margin(0.05));
+    CHECK(box.high.x() - box.low.x() == Approx(c.length_m).margin(0.06));
+    CHECK(box.high.z() == Approx(c.width_m / 2 + 0.17).margin(0.01));  // with the mirrors
+    CHECK(box.high.z() == Approx(-box.low.z()).margin(1e-4));
+    CHECK(car.triangle_count() < 6000);
+  }
+}
+
+TEST_CASE("trees have trunks and crowns of their species' size") {
+  for (const TreeSpecies& species : tree_species()) {
+    const Mesh grown = tree(species, 1, 2, make_stream(1, species.name));
+    check_sane(grown, -1.01);  // leaves are lit by bent normals
+    const Box box = bounds(grown);
+    CHECK(box.high.y() > 0.85 * species.height_m);
+    CHECK(box.high.y() < 1.25 * species.height_m + 0.5);
+    CHECK(box.high.x() < species.crown_radius_m * 1.2 + 0.9);
+    CHECK(grown.surfaces.size() == 2);
+    CHECK(grown.triangle_count() < 6000);
+  }
+}
+
+TEST_CASE("leaf cards turn their front to where their normal points") {
+  const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
+  const Surface& leaves = grown.surfaces.at(1);
+  int agreeing = 0;
+  const int count = static_cast<int>(leaves.indices.size() / 3);
+  for (int t = 0; t < count; ++t) {
+    const auto p = [&](int k) { return leaves.positions[leaves.indices[3 * t + k]]; };
+    agreeing += (p(1) - p(0)).cross(p(2) - p(0)).dot(leaves.normals[leaves.indices[3 * t]]) > 0;
+  }
+  CHECK(agreeing == count);
+}
+
+TEST_CASE("houses have storeys of real height and no face inside out") {
+  for (int i = 0; i < 60; ++i) {
+    BuildingPlan plan;
+    plan.footprint = i % 3 == 0 ? make_footprint({{0, 0}, {18, 0}, {18.5, 17}}, 11)
+                                : make_footprint({{0, 0}, {14, 1}}, 10);
+    plan.storeys = 2 + i % 7;
+    plan.shops = i % 4 == 0;
+    plan.detached = i % 2 == 0;
+    plan.party_start = plan.party_end = i % 5 == 0;
+    plan.roof = i % 3 == 0 ? (i % 2 ? RoofKind::gable : RoofKind::mansard) : static_cast<RoofKind>(i % 4);
+    plan.rear_wing_m = i % 3 == 1 ? 5 : 0;
+    Mesh house = building(plan, any_materials(), substream(make_stream(9, "house"), i));
+    check_sane(house, 0.99);
+    const Box box = bounds(house);
+    CHECK(box.high.y() > plan.storeys * 2.85);
+    CHECK(box.high.y() < plan.storeys * 3.5 + 1.2 + 9);
+    CHECK(box.low.y() >= static_cast<float>(kerb_height_m) - 0.01f);
+  }
+}
+
+TEST_CASE("street furniture has real sizes and stands on the pavement") {
+  const Materials m = any_materials();
+  const Mesh lamp = street_lamp(m, 8, 1.2), box = switch_box(m), light = traffic_light(m, true);
+  for (const Mesh* mesh : {&lamp, &box, &light}) check_sane(*mesh, -0.05);
+  CHECK(bounds(lamp).high.y() == Approx(8).margin(0.2));
+  CHECK(bounds(light).high.y() == Approx(3.3).margin(0.1));
+  CHECK(bounds(bollard(m)).high.y() == Approx(0.85).margin(0.05));
+  CHECK(bounds(bench(m)).high.y() < 0.95f);
+  for (const SignKind kind : {SignKind::yield, SignKind::speed, SignKind::parking}) {
+    const Mesh sign = traffic_sign(m, kind);
+    check_sane(sign, -0.05);
+    CHECK(bounds(sign).low.y() > -0.06f);
+  }
+}

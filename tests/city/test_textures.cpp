@@ -1,0 +1,65 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "scenes/city/textures.h"
+
+using namespace cps;
+using namespace cps::city;
+
+TEST_CASE("noise repeats after its period and has no step at the seam") {
+  const Stream stream = make_stream(1, "noise");
+  for (int i = 0; i < 200; ++i) {
+    const double v = i / 200.0;
+    CHECK(gradient_noise(stream, 0.37 + 1, v, 8) == Approx(gradient_noise(stream, 0.37, v, 8)).margin(1e-9));
+    CHECK(fractal_noise(stream, 1e-7, v, 8, 4) ==
+          Approx(fractal_noise(stream, 1 - 1e-7, v, 8, 4)).margin(1e-4));
+    const Cell a = cellular_noise(stream, 1e-7, v, 16), b = cellular_noise(stream, 1 - 1e-7, v, 16);
+    CHECK(a.nearest == Approx(b.nearest).margin(1e-4));
+    CHECK(a.nearest <= a.second);
+  }
+}
+
+TEST_CASE("a normal map leans against the slope of its heights") {
+  // Height 2 cm · sin(2πu) over a tile of one metre: slope 2π · 0.02 at u = 0.
+  const TextureSet set = paint(256, 1.0, false, [](double u, double) {
+    Texel t;
+    t.height_m = 0.02 * std::sin(2 * M_PI * u);
+    return t;
+  });
+  const double slope = 2 * M_PI * 0.02, x = -slope / std::hypot(slope, 1.0);
+  CHECK(set.normal.pixels[0] == Approx(255 * (0.5 + 0.5 * x)).margin(1.5));
+  CHECK(set.normal.pixels[1] == Approx(127.5).margin(1));
+  CHECK(set.normal.pixels[2] == Approx(255 * (0.5 + 0.5 / std::hypot(slope, 1.0))).margin(1.5));
+}
+
+TEST_CASE("green in a normal map points up the image") {
+  const TextureSet set = paint(64, 1.0, false, [](double, double v) {
+    Texel t;
+    t.height_m = v < 0.5 ? 0.1 * v : 0.1 * (1 - v);  // rises downwards in the upper half
+    return t;
+  });
+  CHECK(set.normal.pixels[(16 * 64 + 5) * 3 + 1] > 130);
+  CHECK(set.normal.pixels[(48 * 64 + 5) * 3 + 1] < 125);
+}
+
+TEST_CASE("roads are painted sharply enough and leaves are cut out") {
+  const TextureSet asphalt = asphalt_texture(make_stream(3, "asphalt"));
+  CHECK(asphalt.base_color.width / asphalt_tile_m >= 150);
+  double mean = 0;
+  for (std::uint8_t p : asphalt.base_color.pixels) mean += p;
+  mean /= static_cast<double>(asphalt.base_color.pixels.size());
+  CHECK(mean > 85);  // sRGB: worn asphalt reflects about a tenth to a quarter
+  CHECK(mean < 150);
+
+  for (const TextureSet& card :
+       {leaf_texture(make_stream(3, "leaves")), needle_texture(make_stream(3, "needles"))}) {
+    REQUIRE(card.base_color.channels == 4);
+    std::size_t solid = 0;
+    const std::size_t texels = card.base_color.pixels.size() / 4;
+    for (std::size_t i = 0; i < texels; ++i) solid += card.base_color.pixels[4 * i + 3] > 127;
+    CHECK(solid > texels * 15 / 100);
+    CHECK(solid < texels * 85 / 100);
+    const int size = card.base_color.width;
+    for (int i = 0; i < size; ++i) CHECK(card.base_color.pixels[4 * i + 3] == 0);  // nothing is cut off above
+  }
+}

@@ -1,0 +1,31 @@
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "scenes/city/city.h"
+
+using namespace cps;
+
+TEST_CASE("Khronos' validator finds no error in any seed's file", "[slow]") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("cps_gltf_validator_" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const std::string in_folder = "cd " + folder.string() + " && ";
+  if (std::system((in_folder + "npm install --silent gltf-validator > npm.log 2>&1").c_str()) != 0)
+    FAIL("npm could not install gltf-validator: install npm and allow it to reach its registry");
+  std::ofstream(folder / "validate.js") << R"(
+    const validator = require('gltf-validator'), fs = require('fs');
+    validator.validateBytes(new Uint8Array(fs.readFileSync(process.argv[2]))).then(report => {
+      for (const m of report.issues.messages) if (m.severity === 0) console.error(m.code, m.message, m.pointer);
+      process.exit(report.issues.numErrors === 0 ? 0 : 1);
+    });)";
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    INFO("seed " << seed);
+    write_city({.seed = seed}, folder / "city.glb");
+    CHECK(std::system((in_folder + "node validate.js city.glb").c_str()) == 0);
+  }
+  fs::remove_all(folder);
+}
