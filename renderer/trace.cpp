@@ -13,7 +13,9 @@ namespace {
 /// Embree tests a ray against a geometry where their masks share a bit.
 constexpr unsigned viewer_mask = 1, light_mask = 2;
 
-unsigned mask_of(const Ray& ray) { return ray.from_viewer ? viewer_mask : light_mask; }
+unsigned mask_of(const Ray& ray) {
+  return ray.from_viewer ? viewer_mask : light_mask;
+}
 
 RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
   RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);

@@ -14,10 +14,10 @@ namespace cps {
 /// What a network says of one image.
 struct ImagePrediction {
   std::filesystem::path file;
-  ImageSize size;                          ///< the image's own
-  Outputs raw{};                           ///< TargetSpace::raw
+  ImageSize size;                            ///< the image's own
+  Outputs raw{};                             ///< TargetSpace::raw
   std::optional<Calibration> calibration{};  ///< empty: the numbers are no camera
-  bool is_one_to_one = false;              ///< false: the predicted lens folds inside its frame
+  bool is_one_to_one = false;                ///< false: the predicted lens folds inside its frame
   std::optional<Calibration> truth{};        ///< of calibration.json beside the image
   std::optional<double> reprojection_px{};   ///< error against the truth
 };
