@@ -12,7 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int gap_px = 6, text_px = 13, caption_px = 3 * (text_px + 3) + 4;
+constexpr int gap_px = 6;
+
+/// Captions of three lines whose longest just fits a tile.
+struct Captions {
+  int text_px, line_px, height_px;
+  explicit Captions(int tile_width_px)
+      : text_px(std::clamp(tile_width_px / 33, 6, 24)), line_px(text_px + 3), height_px(3 * line_px + 4) {}
+};
 
 /// One view's images, the undistorted first.
 using Row = std::vector<const DatasetImage*>;
@@ -40,7 +47,8 @@ int tile_height_px(const Label& label, int tile_width_px) {
   return std::max(1, tile_width_px * label.camera.height / label.camera.width);
 }
 
-void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const DatasetImage& image, const Label& label) {
+void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const Captions& captions, const DatasetImage& image,
+                  const Label& label) {
   const Distortion& lens = label.distortion;
   const std::string lines[] = {
       fmt::format("{}  {}", image.file.parent_path().string(), to_string(image.part)),
@@ -49,8 +57,8 @@ void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const DatasetImage& image
       fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2,
                   label.camera.cx, label.camera.cy, label.zoom)};
   for (const std::string& line : lines) {
-    y += text_px + 3;
-    OIIO::ImageBufAlgo::render_text(sheet, x, y, line, text_px, "DejaVuSans", {0.92f, 0.92f, 0.92f});
+    y += captions.line_px;
+    OIIO::ImageBufAlgo::render_text(sheet, x, y, line, captions.text_px, "DejaVuSans", {0.92f, 0.92f, 0.92f});
   }
 }
 
@@ -68,10 +76,11 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
   const auto label_of = [&](const DatasetImage& image) -> const Label& {
     return dataset.groups[image.group].label;
   };
+  const Captions captions(options.tile_width_px);
   int height = gap_px;
   std::size_t columns = 1;
   for (const Row& row : rows) {
-    height += tile_height_px(label_of(*row.front()), options.tile_width_px) + caption_px + gap_px;
+    height += tile_height_px(label_of(*row.front()), options.tile_width_px) + captions.height_px + gap_px;
     columns = std::max(columns, row.size());
   }
   const int width = gap_px + static_cast<int>(columns) * (options.tile_width_px + gap_px);
@@ -89,10 +98,10 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
         throw std::runtime_error((dataset.root / image->file).string() +
                                  ": cannot be read: " + full.geterror());
       OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0, small);
-      draw_caption(sheet, x, y + tile_height, *image, label_of(*image));
+      draw_caption(sheet, x, y + tile_height, captions, *image, label_of(*image));
       x += options.tile_width_px + gap_px;
     }
-    y += tile_height + caption_px + gap_px;
+    y += tile_height + captions.height_px + gap_px;
   }
   return sheet;
 }
