@@ -15,7 +15,8 @@ constexpr int deepest = 32;
 nlohmann::json from_node(const YAML::Node& node, int depth) {
   if (depth > deepest) throw std::runtime_error("is nested too deeply");
   nlohmann::json json;
-  if (node.IsScalar()) return scalar(node.Scalar());
+  constexpr const char* quoted = "!";  // yaml-cpp: "02" in quotes is text
+  if (node.IsScalar()) return node.Tag() == quoted ? nlohmann::json(node.Scalar()) : scalar(node.Scalar());
   if (node.IsSequence()) {
     json = nlohmann::json::array();
     for (const YAML::Node& item : node) json.push_back(from_node(item, depth + 1));

@@ -212,7 +212,8 @@ TEST_CASE("what cannot be true or is not Brown–Conrady is refused by name") {
   CHECK_THAT(refusal("a.json", "{\"fl_x\": "), Catch::Contains("is not JSON"));
   CHECK_THAT(refusal("a.json", "{}"), Catch::Contains("no calibration in it"));
   CHECK_THAT(refusal("a.yaml", "camera_matrix: [1, 2\nb"), Catch::Contains("is not YAML"));
-  CHECK_THAT(refusal("a.yaml", "camera_matrix: 7"), Catch::Contains("data: is missing"));
+  CHECK_THAT(refusal("a.yaml", "camera_matrix: 7\nimage_width: 6\nimage_height: 5\n"),
+             Catch::Contains("data: is missing"));
   CHECK_THAT(refusal("a.xml", "<opencv_storage><a>"), Catch::Contains("is not XML"));
   CHECK_THAT(refusal("kitti.txt", "K_00: 1 0 0 0 1 0 0 0 1\n"), Catch::Contains("S_00: is missing"));
   CHECK_THAT(refusal("kitti.txt", "S_00: 640 480\nK_00: 500 1 320 0 500 240 0 0 1\nD_00: 0 0 0 0 0\n"),
