@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <stdexcept>
+
+#include "dataset/exchange/formats.h"
+#include "dataset/exchange/markup.h"
+
+/// COLMAP's cameras.txt: CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]. The centre of the top-left pixel is (.5, .5).
+namespace cps {
+namespace {
+
+struct Model {
+  const char* name;
+  bool has_fy;
+  std::size_t coefficients;  ///< after f, cx, cy, in OpenCV's order
+};
+constexpr std::array<Model, 6> models{{{"SIMPLE_PINHOLE", false, 0},
+                                       {"PINHOLE", true, 0},
+                                       {"SIMPLE_RADIAL", false, 1},
+                                       {"RADIAL", false, 2},
+                                       {"OPENCV", true, 4},
+                                       {"FULL_OPENCV", true, 8}}};
+
+CalibratedCamera read_line(const std::string& line, const std::string& where) {
+  std::istringstream words(line);
+  std::string id, model_name, word;
+  words >> id >> model_name;
+  const auto model =
+      std::find_if(models.begin(), models.end(), [&](const Model& m) { return m.name == model_name; });
+  if (model == models.end())
+    throw std::runtime_error(where + ": MODEL " + model_name +
+                             " is not supported: use PINHOLE, RADIAL, OPENCV or FULL_OPENCV");
+  std::vector<double> values;
+  while (words >> word) {
+    const nlohmann::json value = scalar(word);
+    if (!value.is_number()) throw std::runtime_error(where + ": '" + word + "' is not a number");
+    values.push_back(value);
+  }
+  const std::size_t focal_count = model->has_fy ? 2 : 1;
+  if (values.size() != 2 + focal_count + 2 + model->coefficients)
+    throw std::runtime_error(where + ": " + model_name + " needs a size and " +
+                             std::to_string(focal_count + 2 + model->coefficients) + " parameters");
+  if (!(values[0] >= 1 && values[0] <= 1 << 20 && values[1] >= 1 && values[1] <= 1 << 20))
+    throw std::runtime_error(where + ": WIDTH, HEIGHT must be sizes in pixels");
+  const std::span<const double> after_focal = std::span(values).subspan(2 + focal_count);
+  return {id,
+          {.width = static_cast<int>(values[0]),
+           .height = static_cast<int>(values[1]),
+           .fx = values[2],
+           .fy = values[1 + focal_count],
+           .cx = after_focal[0] - 0.5,
+           .cy = after_focal[1] - 0.5},
+          from_opencv_order(after_focal.subspan(2), where)};
+}
+
+bool is_id(const std::string& name) {
+  return !name.empty() && name.size() < 10 && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+Cameras read_colmap(const std::string& text, const std::string& file) {
+  Cameras cameras;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+    cameras.push_back(read_line(line, file + ": line " + std::to_string(number)));
+  }
+  return cameras;
+}
+
+std::string write_colmap(CameraSpan cameras) {
+  // COLMAP wants whole numbers as ids.
+  const bool keep_names =
+      std::all_of(cameras.begin(), cameras.end(), [](const auto& camera) { return is_id(camera.name); });
+  std::string text = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";
+  int number = 0;
+  for (const CalibratedCamera& camera : cameras) {
+    const Pinhole& pinhole = camera.camera;
+    std::vector<double> parameters = {pinhole.fx, pinhole.fy, pinhole.cx + 0.5, pinhole.cy + 0.5};
+    std::vector<double> coefficients = in_opencv_order(camera.distortion);
+    coefficients.resize(camera.distortion.k3 == 0 ? 4 : 8);
+    parameters.insert(parameters.end(), coefficients.begin(), coefficients.end());
+    ++number;
+    text += fmt::format("{} {} {} {} {}\n", keep_names ? camera.name : std::to_string(number),
+                        camera.distortion.k3 == 0 ? "OPENCV" : "FULL_OPENCV", pinhole.width, pinhole.height,
+                        decimals(parameters, " "));
+  }
+  return text;
+}
+
+}  // namespace cps

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dataset/json_keys.h"
+#include "distortion/calibrated_camera.h"
+
+/// The formats of calibration_file.h, one source file each. The text of every format but the line-based ones
+/// is first made into JSON (markup.h), so all of them are checked by JsonKeys. `file` is for messages.
+namespace cps {
+
+using Cameras = std::vector<CalibratedCamera>;
+using CameraSpan = std::span<const CalibratedCamera>;
+
+Cameras read_cps(const JsonKeys& root, const std::string& name);
+std::string write_cps(CameraSpan cameras);
+
+Cameras read_opencv(const JsonKeys& root, const std::string& name);
+std::string write_opencv_yaml(CameraSpan cameras);
+std::string write_opencv_xml(CameraSpan cameras);
+
+Cameras read_ros(const JsonKeys& root, const std::string& name);
+std::string write_ros(CameraSpan cameras);
+
+Cameras read_kalibr(const JsonKeys& root);
+std::string write_kalibr(CameraSpan cameras);
+
+Cameras read_nerfstudio(const JsonKeys& root, const std::string& name);
+std::string write_nerfstudio(CameraSpan cameras);
+
+Cameras read_colmap(const std::string& text, const std::string& file);
+std::string write_colmap(CameraSpan cameras);
+
+Cameras read_kitti(const std::string& text, const std::string& file);
+std::string write_kitti(CameraSpan cameras);
+
+/// Coefficients in the order of OpenCV's vector, k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y, of which
+/// `values` may be a prefix. Throws std::runtime_error `<where>: <name>: …` for a non-zero one after k3.
+Distortion from_opencv_order(std::span<const double> values, const std::string& where);
+std::vector<double> in_opencv_order(const Distortion& lens);
+
+/// fx, fy, cx, cy of a row-major 3 × 3 matrix; throws `<where>: …` unless it is [fx 0 cx; 0 fy cy; 0 0 1].
+Pinhole pinhole_from_k(std::span<const double> k, int width, int height, const std::string& where);
+
+/// The shortest decimal that reads back to the same bits, always with a point or an exponent.
+std::string decimal(double value);
+/// Separated by `separator`.
+std::string decimals(std::span<const double> values, const std::string& separator);
+/// The row-major 3 × 3 matrix of a camera.
+std::vector<double> k_matrix(const Pinhole& camera);
+
+/// The only camera, for formats that hold one; throws std::runtime_error if there are more.
+const CalibratedCamera& only_camera(CameraSpan cameras);
+
+}  // namespace cps
