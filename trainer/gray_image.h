@@ -15,7 +15,7 @@ struct ImageSize {
 /// How large an image the network sees. `factor` divides both sides (the published models use 4); where it is
 /// 0, `width` is the network image's width and the height follows. Images are never enlarged.
 struct Reduction {
-  int width = 240;
+  int width = 160;
   int factor = 0;
   bool operator==(const Reduction&) const = default;
 };

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "apps/options.h"
+#include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "dataset/files.h"
 #include "trainer/evaluate.h"
@@ -26,7 +27,9 @@ int eval_verb(const Arguments& arguments) {
     return 0;
   po::notify(values);
 
-  Evaluation evaluation = evaluate(Predictor(model), read_dataset(data), part_from_string(part));
+  const Part measured = usage_checked([&] { return part_from_string(part); });
+  if (measured == Part::all) throw po::error("--part: say train, val or test");
+  Evaluation evaluation = evaluate(Predictor(model), read_dataset(data), measured);
   evaluation.model = model;
   const std::filesystem::path file =
       out.empty() ? std::filesystem::path(model) / "eval.json" : std::filesystem::path(out);

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "apps/options.h"
+#include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "trainer/train_presets.h"
 
@@ -47,8 +48,7 @@ po::options_description training_flags(TrainOptions& o, std::string& target_spac
 
 int train_verb(const Arguments& arguments) {
   TrainOptions options;
-  std::string target_space = to_string(options.target_space), data, out;
-  std::string presets;
+  std::string target_space = to_string(options.target_space), data, out, presets;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
   po::options_description files("What to train");
@@ -72,10 +72,11 @@ int train_verb(const Arguments& arguments) {
     for (const auto& [name, value] : values)
       if (name == "preset" || how.find_nothrow(name, false))
         throw po::error("--" + name + " cannot be changed by --resume, which goes on as the model began");
-  if (values.count("preset")) options = train_preset(values["preset"].as<std::string>());
+  if (values.count("preset"))
+    options = usage_checked([&] { return train_preset(values["preset"].as<std::string>()); });
   target_space = to_string(options.target_space);
   po::notify(values);
-  options.target_space = target_space_from_string(target_space);
+  options.target_space = usage_checked([&] { return target_space_from_string(target_space); });
   std::string why;
   if (!options.is_valid(&why)) throw po::error(why);
 

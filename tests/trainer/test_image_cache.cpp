@@ -1,3 +1,5 @@
+#include <OpenImageIO/imageio.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -23,6 +25,27 @@ TEST_CASE("area averaging takes the mean of what each pixel covers") {
   const GrayImage three{{3, 1}, {0, 60, 240}};
   const GrayImage two = area_average(three, {2, 1});
   CHECK(two.pixels == std::vector<std::uint8_t>{20, 180});
+}
+
+TEST_CASE("colour becomes Rec. 709 luma of the encoded values; gray stays as it is") {
+  const TemporaryFolder folder;
+  const auto read_back = [&](int channels, const std::vector<std::uint8_t>& pixel, const char* name) {
+    const std::string file = folder.path / name;
+    std::vector<std::uint8_t> pixels;
+    for (int i = 0; i < 64; ++i) pixels.insert(pixels.end(), pixel.begin(), pixel.end());
+    auto out = OIIO::ImageOutput::create(file);
+    REQUIRE(out->open(file, OIIO::ImageSpec(8, 8, channels, OIIO::TypeDesc::UINT8)));
+    REQUIRE(out->write_image(OIIO::TypeDesc::UINT8, pixels.data()));
+    out->close();
+    return static_cast<int>(read_gray_image(file).pixels[27]);
+  };
+  CHECK(read_back(3, {255, 0, 0}, "red.png") == 54);
+  CHECK(read_back(3, {0, 255, 0}, "green.png") == 182);
+  CHECK(read_back(3, {0, 0, 255}, "blue.png") == 18);
+  CHECK(read_back(3, {90, 90, 90}, "gray.png") == 90);
+  CHECK(read_back(4, {90, 90, 90, 128}, "alpha.png") == 90);
+  CHECK(read_back(1, {77}, "one.png") == 77);
+  CHECK(read_back(3, {120, 120, 120}, "photo.jpg") == 120);
 }
 
 TEST_CASE("the network image's size follows the option") {
