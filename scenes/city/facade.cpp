@@ -85,7 +85,7 @@ void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, doub
   add_bar(bars, frame, u0, u1, floor + railing - 0.05, floor + railing, out - 0.06, out - 0.01);
   for (const double u : {u0, u1 - 0.04})
     add_bar(bars, frame, u, u + 0.04, floor + railing - 0.05, floor + railing, 0, out - 0.01);
-  const int posts = static_cast<int>((u1 - u0) / 0.14);
+  const int posts = static_cast<int>((u1 - u0) / 0.18);
   for (int i = 0; i <= posts; ++i) {
     const double u = u0 + (u1 - u0 - 0.025) * i / posts;
     add_bar(bars, frame, u, u + 0.025, floor, floor + railing - 0.05, out - 0.05, out - 0.025, 1,

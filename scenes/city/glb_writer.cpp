@@ -43,9 +43,10 @@ void append(std::vector<std::uint8_t>& bytes, const T& value) {
 
 }  // namespace
 
-int GlbWriter::add_view(const void* data, std::size_t size, int target) {
+int GlbWriter::add_view(const void* data, std::size_t size, int target, int stride) {
   binary.resize((binary.size() + 3) & ~std::size_t{3});
   ordered_json view = {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", size}};
+  if (stride > 0) view["byteStride"] = stride;
   if (target != no_target) view["target"] = target;
   const auto* bytes = static_cast<const std::uint8_t*>(data);
   binary.insert(binary.end(), bytes, bytes + size);
@@ -53,14 +54,9 @@ int GlbWriter::add_view(const void* data, std::size_t size, int target) {
   return static_cast<int>(views.size()) - 1;
 }
 
-int GlbWriter::add_accessor(ordered_json accessor) {
-  accessors.push_back(std::move(accessor));
-  return static_cast<int>(accessors.size()) - 1;
-}
-
 int GlbWriter::add_texture(const std::string& name, const Image& image) {
   const std::vector<std::uint8_t> png = encode_png(image);
-  const int view = add_view(png.data(), png.size(), no_target);
+  const int view = add_view(png.data(), png.size(), no_target, 0);
   images.push_back({{"name", name}, {"bufferView", view}, {"mimeType", "image/png"}});
   textures.push_back({{"name", name}, {"sampler", 0}, {"source", images.size() - 1}});
   return static_cast<int>(textures.size()) - 1;
@@ -86,54 +82,61 @@ MaterialId GlbWriter::add_material(const MaterialDescription& m) {
 }
 
 int GlbWriter::add_mesh(const Mesh& mesh) {
+  // All arrays of one element size share a buffer view: fewer of them keep the JSON small.
+  enum Packing { vectors, coordinates, colors, short_indices, long_indices };
+  struct Packed {
+    std::vector<std::uint8_t> bytes;
+    std::vector<int> accessors;
+  };
+  std::array<Packed, 5> packed;
+  const auto pack = [&](Packing packing, const auto& values, ordered_json accessor) {
+    Packed& target = packed[packing];
+    accessor["byteOffset"] = target.bytes.size();
+    accessor["count"] = values.size();
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(values.data());
+    target.bytes.insert(target.bytes.end(), bytes, bytes + values.size() * sizeof(values[0]));
+    target.accessors.push_back(static_cast<int>(accessors.size()));
+    accessors.push_back(std::move(accessor));
+    return target.accessors.back();
+  };
+
   ordered_json primitives = ordered_json::array();
   for (const auto& [material, surface] : mesh.surfaces) {
     if (surface.indices.empty()) continue;
-    const std::size_t count = surface.positions.size();
     Eigen::Vector3f low = surface.positions[0], high = low;
     for (const Eigen::Vector3f& p : surface.positions) {
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
     ordered_json attributes;
-    attributes["POSITION"] = add_accessor(
-        {{"bufferView", add_view(surface.positions.data(), count * sizeof(Eigen::Vector3f), array_buffer)},
-         {"componentType", float_32},
-         {"count", count},
-         {"type", "VEC3"},
-         {"min", {low.x(), low.y(), low.z()}},
-         {"max", {high.x(), high.y(), high.z()}}});
-    attributes["NORMAL"] = add_accessor(
-        {{"bufferView", add_view(surface.normals.data(), count * sizeof(Eigen::Vector3f), array_buffer)},
-         {"componentType", float_32},
-         {"count", count},
-         {"type", "VEC3"}});
-    const bool textured = materials[material]["pbrMetallicRoughness"].contains("baseColorTexture");
-    if (textured)
-      attributes["TEXCOORD_0"] = add_accessor(
-          {{"bufferView", add_view(surface.uvs.data(), count * sizeof(Eigen::Vector2f), array_buffer)},
-           {"componentType", float_32},
-           {"count", count},
-           {"type", "VEC2"}});
+    attributes["POSITION"] = pack(vectors, surface.positions,
+                                  {{"componentType", float_32},
+                                   {"type", "VEC3"},
+                                   {"min", {low.x(), low.y(), low.z()}},
+                                   {"max", {high.x(), high.y(), high.z()}}});
+    attributes["NORMAL"] = pack(vectors, surface.normals, {{"componentType", float_32}, {"type", "VEC3"}});
+    if (materials[material]["pbrMetallicRoughness"].contains("baseColorTexture"))
+      attributes["TEXCOORD_0"] =
+          pack(coordinates, surface.uvs, {{"componentType", float_32}, {"type", "VEC2"}});
     if (!surface.colors.empty())
-      attributes["COLOR_0"] =
-          add_accessor({{"bufferView", add_view(surface.colors.data(), count * 4, array_buffer)},
-                        {"componentType", unsigned_byte},
-                        {"normalized", true},
-                        {"count", count},
-                        {"type", "VEC4"}});
-    const bool is_short = count <= 65535;
-    const std::vector<std::uint16_t> narrow(surface.indices.begin(),
-                                            is_short ? surface.indices.end() : surface.indices.begin());
-    const int view = is_short
-                         ? add_view(narrow.data(), narrow.size() * 2, element_array_buffer)
-                         : add_view(surface.indices.data(), surface.indices.size() * 4, element_array_buffer);
-    const int indices = add_accessor({{"bufferView", view},
-                                      {"componentType", is_short ? unsigned_short : unsigned_int},
-                                      {"count", surface.indices.size()},
-                                      {"type", "SCALAR"}});
+      attributes["COLOR_0"] = pack(
+          colors, surface.colors, {{"componentType", unsigned_byte}, {"normalized", true}, {"type", "VEC4"}});
+    int indices = 0;
+    if (surface.positions.size() <= 65535)
+      indices =
+          pack(short_indices, std::vector<std::uint16_t>(surface.indices.begin(), surface.indices.end()),
+               {{"componentType", unsigned_short}, {"type", "SCALAR"}});
+    else
+      indices = pack(long_indices, surface.indices, {{"componentType", unsigned_int}, {"type", "SCALAR"}});
     primitives.push_back(
         {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material}});
+  }
+  constexpr std::array<int, 5> strides{12, 8, 4, 0, 0};
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    if (packed[i].bytes.empty()) continue;
+    const int view = add_view(packed[i].bytes.data(), packed[i].bytes.size(),
+                              strides[i] > 0 ? array_buffer : element_array_buffer, strides[i]);
+    for (int accessor : packed[i].accessors) accessors[accessor]["bufferView"] = view;
   }
   meshes.push_back({{"name", mesh.name}, {"primitives", std::move(primitives)}});
   mesh_triangles.push_back(mesh.triangle_count());

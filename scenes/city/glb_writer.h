@@ -49,8 +49,7 @@ class GlbWriter {
   std::size_t instanced_triangles() const { return placed_triangles; }
 
  private:
-  int add_view(const void* data, std::size_t size, int target);
-  int add_accessor(nlohmann::ordered_json accessor);
+  int add_view(const void* data, std::size_t size, int target, int stride);
 
   nlohmann::ordered_json images = nlohmann::ordered_json::array(), textures = images, materials = images,
                          meshes = images, nodes = images, accessors = images, views = images;

@@ -24,7 +24,7 @@ void add_trees(ModelLibrary& library, GlbWriter& writer, const Materials& m, std
       const MaterialId leaves =
           species[s].conifer ? m.needles : m.leaves[random_below(substream(stream, 1), 0, m.leaves.size())];
       Mesh mesh = tree(species[s], leaves, m.bark, stream);
-      mesh.name += " " + std::to_string(v);
+      mesh.name.append(" ").append(std::to_string(v));
       const double trunk = species[s].trunk_radius_m * 1.5;
       variants.push_back(store(writer, mesh, trunk, trunk, ModelKind::tree, species[s].crown_radius_m + 0.5));
     }

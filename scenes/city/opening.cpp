@@ -106,9 +106,9 @@ void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeSt
           deep ? all_faces : lower_face | upper_face);
   if (style.surrounds) {
     const double w = 0.14;
-    add_bar(trim, f, o.u0 - w, o.u0, o.z0, o.z1 + w, 0, 0.035, 1, left_face);
-    add_bar(trim, f, o.u1, o.u1 + w, o.z0, o.z1 + w, 0, 0.035, 1, right_face);
-    add_bar(trim, f, o.u0, o.u1, o.z1, o.z1 + w, 0, 0.035, 1, lower_face);
+    add_bar(trim, f, o.u0 - w, o.u0, o.z0, o.z1 + w, 0, 0.035, 1, deep ? left_face : no_faces);
+    add_bar(trim, f, o.u1, o.u1 + w, o.z0, o.z1 + w, 0, 0.035, 1, deep ? right_face : no_faces);
+    add_bar(trim, f, o.u0, o.u1, o.z1, o.z1 + w, 0, 0.035, 1, deep ? lower_face : no_faces);
   }
 }
 

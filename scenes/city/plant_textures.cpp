@@ -33,6 +33,13 @@ BladeHit find_blade(const std::vector<Blade>& blades, double u, double v) {
   return {};
 }
 
+/// Whether all of it fits on the card: the card tiles, so what leaves it at the bottom would come in again at
+/// the top.
+bool fits_card(const Blade& b) {
+  const double tip_u = b.u + b.du * b.length, tip_v = b.v + b.dv * b.length, rim = b.width + 0.01;
+  return std::min({b.u, b.v, tip_u, tip_v}) > rim && std::max({b.u, b.v, tip_u, tip_v}) < 1 - rim;
+}
+
 TextureSet paint_card(const std::vector<Blade>& blades, const std::array<double, 3>& color, double tile_m) {
   return paint(512, tile_m, true, [&](double u, double v) {
     const BladeHit hit = find_blade(blades, u, v);
@@ -76,9 +83,7 @@ TextureSet leaf_texture(Stream stream) {
       const double size = leaf_length * draws.uniform(0.7, 1.1);
       const Blade leaf{
           u, v, std::sin(turn), -std::cos(turn), size, size * slenderness, draws.uniform(0.72, 1.2)};
-      const double tip_u = u + leaf.du * size, tip_v = v + leaf.dv * size;
-      if (std::min({u, v, tip_u, tip_v}) > 0.03 && std::max({u, v, tip_u, tip_v}) < 0.97)
-        leaves.push_back(leaf);
+      if (fits_card(leaf)) leaves.push_back(leaf);
     }
   }
   const double autumn = draws.uniform(0, 1);
@@ -95,7 +100,7 @@ TextureSet needle_texture(Stream stream) {
       const double u = 0.5 + along * std::sin(lean), v = 0.97 - along * std::cos(lean);
       const double turn = lean + (k % 2 ? 1 : -1) * draws.uniform(0.5, 0.9);
       const Blade needle{u, v, std::sin(turn), -std::cos(turn), 0.09, 0.008, draws.uniform(0.7, 1.25)};
-      if (u > 0.1 && u < 0.9 && v > 0.1) needles.push_back(needle);
+      if (fits_card(needle)) needles.push_back(needle);
     }
   }
   return paint_card(needles, {0.20, 0.30, 0.16}, 0.7);

@@ -138,7 +138,7 @@ class Furnisher {
       const double gap = draws.uniform(0.10, 0.22), space = draws.uniform(0.5, 1.4),
                    turn = draws.uniform(-0.012, 0.012);
       const double reach =
-          2 * model.half_width + 0.03 - 0.17;  // the mirror towards the pavement overhangs the kerb
+          2 * model.half_width + 0.06 - 0.17;  // the mirror towards the pavement overhangs the kerb
       const bool parked =
           draws.chance(occupied) && gap + reach <= parking_m && s + 2 * model.half_length < kerb.to;
       if (parked) {
@@ -163,19 +163,19 @@ class Furnisher {
     const double s = cut + approach.stop_line_at_m + 0.4;
     if (approach.crossing && profile.kind != "residential" && draws.chance(0.6)) {
       const bool green = draws.chance(0.5);
-      try_place({green ? &models.traffic_light_green : &models.traffic_light_red, kerb.at(s, 0.45),
+      try_place({green ? &models.traffic_light_green : &models.traffic_light_red, kerb.at(s, 0.5),
                  kerb_height_m, kerb.facing(s), 1});
     } else if (approach.stop_line) {
       const SignKind kind = approach.crossing   ? SignKind::crossing
                             : draws.chance(0.6) ? SignKind::yield
                                                 : SignKind::priority;
-      try_place({&models.signs[static_cast<int>(kind)], kerb.at(s, 0.45), kerb_height_m, kerb.facing(s), 1});
+      try_place({&models.signs[static_cast<int>(kind)], kerb.at(s, 0.65), kerb_height_m, kerb.facing(s), 1});
     }
     for (double t = kerb.from + draws.uniform(4, 25); t < kerb.to; t += draws.uniform(25, 60)) {
       const SignKind kind = draws.chance(0.4)   ? SignKind::parking
                             : draws.chance(0.5) ? SignKind::no_stopping
                                                 : SignKind::speed;
-      try_place({&models.signs[static_cast<int>(kind)], kerb.at(t, 0.4), kerb_height_m, kerb.facing(t), 1});
+      try_place({&models.signs[static_cast<int>(kind)], kerb.at(t, 0.65), kerb_height_m, kerb.facing(t), 1});
     }
   }
 

@@ -59,7 +59,8 @@ void add_bent_tube(Surface& surface, const Vec3& from, const Vec3& to, double r0
 void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, MaterialId bark, Draws& draws) {
   const double crown_height = s.height_m - s.trunk_height_m;
   const Vec3 centre(0, s.trunk_height_m + crown_height * 0.5, 0);
-  std::vector<Vec3> twigs;  // where leaves grow
+  std::vector<Vec3> twigs;                                          // where leaves grow
+  const double fine = std::min(1.0, 0.4 + 0.3 * s.crown_radius_m);  // small crowns have short twigs
   for (int i = 0; i < s.limbs; ++i) {
     const double t = (i + draws.uniform(0.2, 0.8)) / s.limbs;
     const double around = 2.4 * i + draws.uniform(-0.5, 0.5);  // the golden angle, roughly
@@ -73,7 +74,7 @@ void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, Materi
     for (int k = 0; k < 3; ++k) {
       const Vec3 from = middle + (tip - middle) * draws.uniform(0.0, 0.7);
       const Vec3 to =
-          from + (random_direction(draws) + Vec3(0, 0.5, 0)).normalized() * draws.uniform(0.5, 1.1);
+          from + (random_direction(draws) + Vec3(0, 0.5, 0)).normalized() * draws.uniform(0.5, 1.1) * fine;
       add_tube(mesh.surfaces[bark], from, to, 0.022, 0.008, 3, false, bark_tile_m);
       twigs.push_back(to);
     }
@@ -89,13 +90,13 @@ void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, Materi
   Surface& surface = mesh.surfaces[leaves];
   for (int i = 0; i < s.cards; ++i) {
     const Vec3& twig = twigs[i % twigs.size()];
-    const Vec3 at = twig + random_direction(draws) * (0.62 * std::cbrt(draws.uniform(0, 1)));
+    const Vec3 at = twig + random_direction(draws) * (0.62 * fine * std::cbrt(draws.uniform(0, 1)));
     Vec3 outwards = at - centre;
     outwards.y() /= std::max(1.0, crown_height / (2 * s.crown_radius_m));
     outwards.normalize();
     const Vec3 up = (outwards * 0.8 + random_direction(draws)).normalized();
     const Vec3 facing = (outwards + random_direction(draws) * 0.9).normalized();
-    add_card(surface, at, up, facing, draws.uniform(0.5, 0.85), outwards);
+    add_card(surface, at, up, facing, draws.uniform(0.5, 0.85) * fine, outwards);
   }
 }
 

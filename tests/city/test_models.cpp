@@ -121,7 +121,7 @@ TEST_CASE("houses have storeys of real height and no face inside out") {
     plan.roof = i % 3 == 0 ? (i % 2 ? RoofKind::gable : RoofKind::mansard) : static_cast<RoofKind>(i % 4);
     plan.rear_wing_m = i % 3 == 1 ? 5 : 0;
     Mesh house = building(plan, any_materials(), substream(make_stream(9, "house"), i));
-    check_sane(house, 0.99);
+    check_sane(house, 0.9);
     const Box box = bounds(house);
     CHECK(box.high.y() > plan.storeys * 2.85);
     CHECK(box.high.y() < plan.storeys * 3.5 + 1.2 + 9);
