@@ -75,7 +75,9 @@ GrayImage read_gray_image(const std::filesystem::path& file) {
                              "): restore the file or take it out of the list");
   };
   if (!std::filesystem::is_regular_file(file)) fail("no such file");
-  const auto input = OIIO::ImageInput::open(file.string());
+  OIIO::ImageSpec as_stored;  // colours not multiplied by alpha
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(file.string(), &as_stored);
   if (!input) fail(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.depth > 1 || spec.width < 8 || spec.height < 8) fail("not a flat picture of at least 8x8 pixels");

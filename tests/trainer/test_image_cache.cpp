@@ -34,7 +34,9 @@ TEST_CASE("colour becomes Rec. 709 luma of the encoded values; gray stays as it 
     std::vector<std::uint8_t> pixels;
     for (int i = 0; i < 64; ++i) pixels.insert(pixels.end(), pixel.begin(), pixel.end());
     auto out = OIIO::ImageOutput::create(file);
-    REQUIRE(out->open(file, OIIO::ImageSpec(8, 8, channels, OIIO::TypeDesc::UINT8)));
+    OIIO::ImageSpec spec(8, 8, channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    REQUIRE(out->open(file, spec));
     REQUIRE(out->write_image(OIIO::TypeDesc::UINT8, pixels.data()));
     out->close();
     return static_cast<int>(read_gray_image(file).pixels[27]);

@@ -10,19 +10,16 @@ using namespace cps;
 
 TEST_CASE("eight images are learned by heart") {
   const TemporaryFolder folder;
-  Dataset dataset = make_street_dataset(folder.path / "data", {.sizes = {{96, 54}},
-                                                               .fields_of_view = 4,
-                                                               .lenses_per_part = 2,
-                                                               .train_places = 1,
-                                                               .val_places = 1,
-                                                               .test_places = 1});
-  const std::vector<int> eight = images_of(dataset, Part::train);
-  REQUIRE(eight.size() == 8);
-  for (int again = 1; again < 8; ++again)  // more steps per epoch, fewer checkpoints
-    for (int i : eight) dataset.images.push_back(DatasetImage(dataset.images[i]));
+  const Dataset dataset = make_street_dataset(folder.path / "data", {.sizes = {{96, 54}},
+                                                                     .fields_of_view = 4,
+                                                                     .lenses_per_part = 2,
+                                                                     .train_places = 1,
+                                                                     .val_places = 1,
+                                                                     .test_places = 1});
+  REQUIRE(images_of(dataset, Part::train).size() == 8);
   TrainOptions options;
   options.reduction.width = 96;
-  options.epochs = 10;
+  options.epochs = 80;
   options.batch_size = 8;
   options.mirror = false;
   const TrainSummary summary = train(dataset, folder.path / "model", options, false, {});
