@@ -32,13 +32,26 @@ class BlockPlanner {
       const Footprint corner = make_footprint({station_at(sides[i].line, before - arm).point,
                                                sides[i].line.back(), station_at(sides[next].line, arm).point},
                                               depth);
-      if (try_building(corner, 2)) {
-        end[i] = start[next] = arm;
-        plan.buildings.back().party_start = plan.buildings.back().party_end = true;
-      }
+      if (try_building(corner, 2)) end[i] = start[next] = arm;
     }
     for (std::size_t i = 0; i < sides.size(); ++i)
       fill_row(sides[i].line, start[i], length(sides[i].line) - end[i], depth);
+    find_party_walls();
+  }
+
+  /// An end of a house that another one stands against has no windows.
+  void find_party_walls() {
+    constexpr double gap_m = 0.3;
+    for (BuildingPlan& b : plan.buildings)
+      for (const bool at_end : {false, true}) {
+        const Footprint& f = b.footprint;
+        const std::size_t i = at_end ? f.front.size() - 1 : 0;
+        const Vec2 out = (at_end ? f.front[i] - f.front[i - 1] : f.front[0] - f.front[1]).normalized();
+        const Vec2 beyond = f.at(i, f.depth_m / 2) + out * gap_m;
+        (at_end ? b.party_end : b.party_start) = std::any_of(
+            plan.buildings.begin(), plan.buildings.end(),
+            [&](const BuildingPlan& other) { return contains(other.footprint.polygon(), beyond); });
+      }
   }
 
   /// Houses apart from each other behind front gardens.
@@ -146,23 +159,12 @@ class BlockPlanner {
     Polyline front(lots + 1);
     for (int k = 0; k <= lots; ++k) front[k] = station_at(line, cuts[k]).point;
     const Footprint row = make_footprint(front, depth);
-    bool joined = true;
     for (int k = 0; k < lots; ++k) {
-      if (draws.chance(0.04)) {  // a gap: the way into the court
-        joined = false;
-        if (!plan.buildings.empty()) plan.buildings.back().party_end = false;
-        continue;
-      }
+      if (draws.chance(0.04)) continue;  // a gap: the way into the court
       // Neighbours share the row's mitred corners, so that their party walls coincide.
       const Footprint lot{{front[k], front[k + 1]}, {row.inward[k], row.inward[k + 1]}, depth};
-      if (!try_building(lot, 1)) {
-        joined = false;
-        continue;
-      }
+      if (!try_building(lot, 1)) continue;
       BuildingPlan& b = plan.buildings.back();
-      b.party_start = joined;
-      b.party_end = true;
-      joined = true;
       b.rear_wing_m = draws.chance(0.25) ? draws.uniform(4, 7) : 0;
       if (!rear_wing(b).empty()) {
         const BuildingPlan candidate = b;

@@ -123,7 +123,7 @@ void add_plants(GlbWriter& writer, Materials& m, std::uint64_t seed) {
   m.leaves.push_back(writer.add_material(tinted(broad, "leaves_light", {0.95, 0.92, 0.62})));
   m.needles = writer.add_material(foliage("needles", needle_texture(make_stream(seed, "needles"))));
   m.bark = writer.add_material(textured(writer, "bark", bark_texture(make_stream(seed, "bark"))));
-  m.hedge_core = writer.add_material(plain("hedge_core", {0.018, 0.03, 0.01}, 1));
+  m.hedge_core = writer.add_material(plain("hedge_core", {0.03, 0.05, 0.015}, 1));
 }
 
 void add_vehicles_and_furniture(GlbWriter& writer, Materials& m) {

@@ -83,7 +83,9 @@ TextureSet leaf_texture(Stream stream) {
       const double size = leaf_length * draws.uniform(0.7, 1.1);
       const Blade leaf{
           u, v, std::sin(turn), -std::cos(turn), size, size * slenderness, draws.uniform(0.72, 1.2)};
-      if (fits_card(leaf)) leaves.push_back(leaf);
+      const double tip_u = u + leaf.du * size, tip_v = v + leaf.dv * size;
+      if (std::min({u, v, tip_u, tip_v}) > 0.07 && std::max({u, v, tip_u, tip_v}) < 0.95)
+        leaves.push_back(leaf);
     }
   }
   const double autumn = draws.uniform(0, 1);
@@ -100,7 +102,7 @@ TextureSet needle_texture(Stream stream) {
       const double u = 0.5 + along * std::sin(lean), v = 0.97 - along * std::cos(lean);
       const double turn = lean + (k % 2 ? 1 : -1) * draws.uniform(0.5, 0.9);
       const Blade needle{u, v, std::sin(turn), -std::cos(turn), 0.09, 0.008, draws.uniform(0.7, 1.25)};
-      if (fits_card(needle)) needles.push_back(needle);
+      if (u > 0.1 && u < 0.9 && v > 0.14) needles.push_back(needle);
     }
   }
   return paint_card(needles, {0.20, 0.30, 0.16}, 0.7);

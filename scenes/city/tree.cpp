@@ -161,19 +161,23 @@ Mesh hedge(const Materials& m, double length_m, double height_m, Stream stream) 
   Mesh mesh{"hedge", {}};
   Draws draws{stream};
   constexpr double half_width = 0.32;
-  add_box(mesh.surfaces[m.hedge_core], {0, 0}, {1, 0}, length_m / 2, half_width - 0.06, -0.05,
-          height_m - 0.08);
+  add_box(mesh.surfaces[m.hedge_core], {0, 0}, {1, 0}, length_m / 2 - 0.14, half_width - 0.13, -0.05,
+          height_m - 0.16);
   Surface& surface = mesh.surfaces[m.leaves[1]];
-  for (int i = 0; i < 110 * length_m; ++i) {
-    const double x = draws.uniform(-0.5, 0.5) * length_m;
-    const bool top = draws.chance(0.3);
-    const double side = draws.chance(0.5) ? 1 : -1;
-    const Vec3 outwards = top ? Vec3(0, 1, 0) : Vec3(0, 0.15, side).normalized();
-    const Vec3 at = top ? Vec3(x, height_m - 0.1, draws.uniform(-half_width, half_width))
-                        : Vec3(x, draws.uniform(0.0, height_m - 0.12), side * (half_width - 0.08));
+  const auto add_leaves = [&](const Vec3& at, const Vec3& outwards) {
     const Vec3 up = (random_direction(draws) * 0.8 + Vec3(0, 0.5, 0) + outwards * 0.25).normalized();
     const Vec3 facing = (outwards + random_direction(draws) * 0.6).normalized();
     add_card(surface, at - up * 0.12, up, facing, draws.uniform(0.24, 0.36), outwards);
+  };
+  for (int i = 0; i < 115 * length_m; ++i) {
+    const double x = draws.uniform(-0.5, 0.5) * length_m, z = draws.uniform(-1, 1) * half_width;
+    const double y = draws.uniform(0.0, height_m - 0.12), face = draws.uniform(0, 1), side = z > 0 ? 1 : -1;
+    if (face < 0.27)
+      add_leaves({x, height_m - 0.12, z}, {0, 1, 0});
+    else if (face < 0.90)
+      add_leaves({x, y, side * (half_width - 0.08)}, Vec3(0, 0.15, side).normalized());
+    else
+      add_leaves({(x > 0 ? 1 : -1) * (length_m / 2 - 0.08), y, z}, {x > 0 ? 1.0 : -1.0, 0, 0});
   }
   return mesh;
 }

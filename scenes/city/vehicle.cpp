@@ -171,7 +171,7 @@ void add_fittings(Mesh& mesh, const VehicleClass& c, const Materials& m, Materia
     mirrored(m.head_light, {half - 0.05, 0.57, 0.48 * w}, {half + 0.01, 0.67, 0.80 * w});
     mirrored(m.tail_light, {-half - 0.01, 0.66, 0.58 * w}, {-half + 0.05, 0.84, 0.80 * w});
     mirrored(paint, {c.windscreen_foot_m - 0.30, c.belt_height_m, w * 0.96},
-             {c.windscreen_foot_m - 0.16, c.belt_height_m + 0.15, w + 0.17});
+             {c.windscreen_foot_m - 0.16, c.belt_height_m + 0.12, w + 0.17});
     for (const double door : {c.windscreen_top_m - 0.72, c.windscreen_top_m - 1.62})
       if (!c.panel_van)
         mirrored(m.car_trim, {door - 0.1, c.belt_height_m - 0.16, w * 0.95},

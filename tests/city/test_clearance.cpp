@@ -100,6 +100,32 @@ TEST_CASE("nothing stands in anything else") {
   }
 }
 
+TEST_CASE("the ends of houses in a row are blank, free ends have windows") {
+  int shared = 0, open = 0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const StreetNetwork network = draw_street_network({.seed = seed});
+    for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
+      const BlockPlan plan = plan_block(network, b, draw_character(seed), seed);
+      for (const BuildingPlan& house : plan.buildings)
+        for (const bool at_end : {false, true}) {
+          const bool blank = at_end ? house.party_end : house.party_start;
+          const Footprint& f = house.footprint;
+          const std::size_t i = at_end ? f.front.size() - 1 : 0;
+          double nearest = 1e9;  // from the middle of this end to another house
+          for (const BuildingPlan& other : plan.buildings)
+            if (&other != &house)
+              nearest =
+                  std::min(nearest, distance_to_polygon(other.footprint.polygon(), f.at(i, f.depth_m / 2)));
+          if (nearest < 0.01) CHECK(blank);
+          if (nearest > 0.35) CHECK_FALSE(blank);
+          ++(blank ? shared : open);
+        }
+    }
+  }
+  CHECK(shared > 100);
+  CHECK(open > 100);
+}
+
 TEST_CASE("the surroundings stay outside the rim and end all views") {
   const CityOptions options{.seed = 4};
   const StreetNetwork network = draw_street_network(options);
