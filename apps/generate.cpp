@@ -40,8 +40,9 @@ ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedG
                        const OIIO::ImageBuf& master, double exposure, const fs::path& root) {
   const Stream stream = substream(make_stream(view.seed, "sensor"), group.lens_number);
   const SensorSettings sensor = draw_sensor(plan.recipe.sensor, make_stream(stream.key, "settings"));
-  const OIIO::ImageBuf seen =
-      warp(master, plan.sets[group.set].master, group.lens.distortion, group.lens.crop.camera, WarpOptions{});
+  const PlannedSet& set = plan.sets[group.set];
+  const OIIO::ImageBuf seen = warp(master, set.master, group.lens.distortion, group.lens.crop.camera,
+                                   {.box = frame_on_plane(set.base)});
   const OIIO::ImageBuf image = develop(seen, exposure, sensor, make_stream(stream.key, "noise"));
   const std::string png = encode_png(image);
   const std::string file = group.folder + "/" + image_name(view);

@@ -14,9 +14,9 @@ std::string generator_name() {
 
 Label group_label(const Plan& plan, const PlannedGroup& group) {
   const PlannedSet& set = plan.sets[group.set];
-  const LensBounds& bounds = plan.recipe.lens_bounds;
+  const LensBounds& bounds = plan.recipe.lens_options.bounds;
   const Certificate certificate =
-      certify(group.lens.distortion, frame_on_plane(set.master),
+      certify(group.lens.distortion, frame_on_plane(set.base),
               {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue});
   if (!certificate.valid)
     throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);

@@ -9,7 +9,7 @@ namespace cps {
 std::string generator_name();
 
 /// The label of a planned group: what was drawn, the camera after the crop, the angles that the distorted
-/// image really sees, and the certificate on the padded master, computed anew here. Throws std::runtime_error
+/// image really sees, and the certificate on the base's frame, computed anew here. Throws std::runtime_error
 /// if the lens is not certified, which no drawn lens should be.
 Label group_label(const Plan& plan, const PlannedGroup& group);
 

@@ -15,7 +15,7 @@ namespace cps {
 struct LensBounds {
   double min_eigenvalue = 0.15;  ///< of the Jacobian, see CertificateOptions
   double max_eigenvalue = 1.8;
-  double max_displacement = 0.33;  ///< of any point, as a fraction of the half diagonal
+  double max_displacement = 0.35;  ///< of any point, as a fraction of the half diagonal
   double max_tangential = 0.015;   ///< |(p1, p2)| · half diagonal
   bool is_valid(std::string* why) const;
 };

@@ -96,15 +96,18 @@ void check_source(const OIIO::ImageBuf& source, const Pinhole& camera, const Pin
     throw std::runtime_error("warp: the output needs a positive size and positive focal lengths");
 }
 
-/// The part of the master that the output sees, or all of it if it sees more. The lens need not be one-to-one
-/// beyond, where the pad only feeds footprints.
+/// The caller's box; else the part of the master that the output sees, or all of it if it sees more. The lens
+/// need not be one-to-one beyond, where the pad only feeds footprints.
 Eigen::AlignedBox2d box_to_invert_on(const Distortion& lens, const Eigen::AlignedBox2d& master,
-                                     const Pinhole& output) {
-  const FrameCertificate seen = certify_frame(lens, output, master, one_to_one);
-  if (seen.valid() && master.contains(seen.rectangle)) return seen.rectangle;
-  if (const Certificate whole = certify(lens, master, one_to_one); !whole.valid)
-    throw std::runtime_error("warp: " + whole.why);
-  return master;
+                                     const Pinhole& output, const Eigen::AlignedBox2d& callers_box) {
+  if (callers_box.isEmpty()) {
+    const FrameCertificate seen = certify_frame(lens, output, master, one_to_one);
+    if (seen.valid() && master.contains(seen.rectangle)) return seen.rectangle;
+  }
+  const Eigen::AlignedBox2d& box = callers_box.isEmpty() ? master : callers_box;
+  if (const Certificate proof = certify(lens, box, one_to_one); !proof.valid)
+    throw std::runtime_error("warp: " + proof.why);
+  return box;
 }
 
 OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
@@ -199,7 +202,7 @@ std::string WarpSummary::brief() const {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
   check_source(master, master_camera, output, options);
-  const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output);
+  const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output, options.box);
   const Footprints footprints = [&](int x0, int y0, int width, int height, FootprintTile& tile) {
     distorting_footprints(lens, box, master_camera, output, options.kernel_sigma_px, x0, y0, width, height,
                           tile);

@@ -22,6 +22,9 @@ struct WarpOptions {
   int oversampling = 2;          ///< of the master, per axis
   double kernel_sigma_px = 0.5;  ///< standard deviation of the output pixel's kernel, output pixels
   Resampling resampling = Resampling::footprint;
+  /// Ideal points among which the inverse is looked for; the lens must be one-to-one on them. A crop's base
+  /// frame is the part that it was certified on. Empty: the smallest part of the master that will do.
+  Eigen::AlignedBox2d box = {};
   bool require_coverage = true;  ///< throw if a footprint leaves the source; otherwise such pixels are 0
   /// Throw where the image is magnified beyond what the source carries; otherwise the kernel is widened
   /// there.
@@ -33,8 +36,7 @@ struct WarpOptions {
 /// inside it: support · sigma · oversampling / min_eigenvalue, rounded up.
 int master_pad(const WarpOptions& options, double min_eigenvalue);
 
-/// The camera that renders the master for `base`: oversampled and padded. The lens is certified on
-/// frame_on_plane of it.
+/// The camera that renders the master for `base`: oversampled and padded.
 Pinhole master_camera(const Pinhole& base, const WarpOptions& options, double min_eigenvalue);
 
 /// Largest zoom · eigenvalue up to which the master carries the kernel: CropOptions::max_magnification.

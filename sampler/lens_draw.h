@@ -5,8 +5,8 @@
 
 #include "distortion/crop.h"
 #include "distortion/interval.h"
-#include "distortion/limits.h"
 #include "random/counter_hash.h"
+#include "sampler/lens_options.h"
 
 namespace cps {
 
@@ -15,18 +15,17 @@ namespace cps {
 struct DrawnLens {
   Distortion distortion;
   Crop crop;
-  /// In the order k1 k2 k3 p1 p2 cx cy; empty for the undistorted lens.
+  /// In the order k1 k2 k3 p1 p2 cx cy. Empty for the undistorted lens, and for coefficients that were drawn
+  /// jointly, from a prior.
   std::array<std::optional<Interval>, 7> limits;
 };
 
-/// The thesis' scheme: the five coefficients in random order, each uniform in the interval that root-finding
-/// leaves it given those already drawn (one sweep of a Gibbs sampler on the convex set of valid lenses); then
-/// cx and cy, in random order too, inside the shifts that keep the crop's zoom below its cap. Every lens it
-/// returns is certified on `padded_master`, the part of the plane z = 1 that the padded master sees. A lens
-/// whose crop exceeds the zoom cap or what the warp's oversampling carries is drawn again as a whole. Throws
-/// std::runtime_error when the bounds leave no lens.
-DrawnLens draw_lens(const Pinhole& base, const Eigen::AlignedBox2d& padded_master, const LensBounds& bounds,
-                    const PrincipalPointBounds& principal_point_bounds, Stream stream);
+/// A lens for images at `base`. First the coefficients, in units of the frame's half diagonal, so that they
+/// know nothing of the H-FOV; then cx and cy, in random order, uniform inside the shifts that keep the crop's
+/// zoom below its cap. Every lens is within options.bounds on the frame of `base`, certificate included. One
+/// that is not, or whose crop exceeds the zoom cap or what the warp's oversampling carries, is drawn again as
+/// a whole. Throws std::runtime_error when the options leave no lens.
+DrawnLens draw_lens(const Pinhole& base, const LensOptions& options, Stream stream);
 
 /// No distortion, centred principal point, zoom 1.
 DrawnLens undistorted_lens(const Pinhole& base);

@@ -17,9 +17,7 @@ std::vector<int> SetGroups::groups_for(Part part, int rank_in_part) {
     for (int i = 0; i < recipe.lenses; ++i) {
       const int number = ++plan_.distorted_lenses;
       const Stream stream = substream(make_stream(recipe.seed, "lens"), number);
-      found->second.push_back(add(number, part,
-                                  draw_lens(set.base, frame_on_plane(set.master), recipe.lens_bounds,
-                                            recipe.principal_point_bounds, stream)));
+      found->second.push_back(add(number, part, draw_lens(set.base, recipe.lens_options, stream)));
     }
   }
   return found->second;

@@ -36,7 +36,7 @@ std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
       sets.push_back(
           {.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
            .base = base,
-           .master = master_camera(base, WarpOptions{}, recipe.lens_bounds.min_eigenvalue)});
+           .master = master_camera(base, WarpOptions{}, recipe.lens_options.bounds.min_eigenvalue)});
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
           throw std::runtime_error("recipe: size, base_hfov_deg: two sets would share the folder " +

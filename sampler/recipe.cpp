@@ -70,7 +70,7 @@ bool Recipe::is_valid(std::string* why) const {
       *why = check.reason;
       return false;
     }
-  return lens_bounds.is_valid(why) && principal_point_bounds.is_valid(why) && sensor.is_valid(why);
+  return lens_options.is_valid(why) && sensor.is_valid(why);
 }
 
 po::options_description recipe_options() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "distortion/limits.h"
+#include "sampler/lens_options.h"
 #include "sensor/develop.h"
 
 /// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
@@ -44,8 +44,7 @@ struct Recipe {
   // Lenses. Each part of the split has its own.
   int lenses = 0;          ///< distorted images per view
   int views_per_lens = 0;  ///< after so many views a part draws new lenses; 0: never
-  LensBounds lens_bounds;
-  PrincipalPointBounds principal_point_bounds;
+  LensOptions lens_options;
 
   // Parts: `route` gives whole streets to train, val or test; `thesis` splits by view and shares streets.
   double train_share = 0.70, val_share = 0.15;

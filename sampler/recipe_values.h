@@ -32,6 +32,10 @@ inline void parse_value(std::string_view text, ImageSize& value) {
   parse_value(text.substr(x + 1), value.height);
 }
 
+inline void parse_value(std::string_view text, LensScheme& value) {
+  value = lens_scheme_from_string(std::string(text));
+}
+
 template <typename T>
 void parse_value(std::string_view text, std::vector<T>& values) {
   values.clear();
@@ -56,6 +60,10 @@ requires std::is_arithmetic_v<Number> std::string value_text(Number value) {
 
 inline std::string value_text(const ImageSize& size) {
   return value_text(size.width) + "x" + value_text(size.height);
+}
+
+inline std::string value_text(LensScheme scheme) {
+  return to_string(scheme);
 }
 
 template <typename T>

@@ -41,7 +41,7 @@ TEST_CASE("everything inside the limits is allowed, and nothing beyond them") {
 
 TEST_CASE("limits of k1 alone in closed form") {
   const Eigen::AlignedBox2d box(Eigen::Vector2d(-0.8, -0.6), Eigen::Vector2d(0.8, 0.6));
-  // Barrel: 1 + 3 k1 ≥ .15. Pincushion: 1 + 3 k1 ≤ 1.8. Displacement |k1| ≤ .33 does not bind.
+  // Barrel: 1 + 3 k1 ≥ .15. Pincushion: 1 + 3 k1 ≤ 1.8. Displacement |k1| ≤ .35 does not bind.
   const Interval k1 = coefficient_limits({}, Coefficient::k1, box, {});
   CHECK(k1.low == Approx(-0.85 / 3).margin(1e-5));
   CHECK(k1.high == Approx(0.8 / 3).margin(1e-5));

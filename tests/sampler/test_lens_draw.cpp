@@ -3,56 +3,74 @@
 
 #include "distortion/certificate.h"
 #include "distortion/displacement.h"
-#include "distortion/warp.h"
 #include "sampler/lens_draw.h"
 
 using namespace cps;
 
-namespace {
-
-struct Setting {
-  Pinhole base;
-  Eigen::AlignedBox2d padded_master;
-};
-
-Setting setting(int width, int height, double hfov_deg) {
-  const Pinhole base = pinhole_from_hfov(width, height, radians(hfov_deg));
-  return {base, frame_on_plane(master_camera(base, WarpOptions{}, LensBounds{}.min_eigenvalue))};
+TEST_CASE("every drawn lens is certified on its base, within its limits and its crop's caps") {
+  for (LensScheme scheme : {LensScheme::sequential, LensScheme::shape_prior})
+    for (double hfov_deg : {30.0, 90.0, 150.0})
+      for (int i = 0; i < 40; ++i) {
+        const LensOptions options{
+            .scheme = scheme, .sequential_share = 0, .bounds = {}, .principal_point = {}};
+        const Pinhole base = pinhole_from_hfov(i % 2 ? 480 : 348, i % 2 ? 270 : 128, radians(hfov_deg));
+        const DrawnLens lens = draw_lens(base, options, substream(make_stream(0, "lens"), i));
+        CHECK(certify(lens.distortion, frame_on_plane(base)).valid);
+        CHECK(largest_displacement(lens.distortion, frame_on_plane(base)) <=
+              options.bounds.max_displacement * (1 + 1e-9));
+        CHECK(lens.crop.valid);
+        CHECK(lens.crop.zoom >= 1);
+        CHECK(lens.crop.zoom <= options.principal_point.max_zoom);
+        const double values[7] = {lens.distortion.k1, lens.distortion.k2, lens.distortion.k3,
+                                  lens.distortion.p1, lens.distortion.p2, lens.crop.camera.cx,
+                                  lens.crop.camera.cy};
+        for (int k = 0; k < 7; ++k) {
+          REQUIRE(lens.limits[k].has_value() == (scheme == LensScheme::sequential || k >= 5));
+          if (!lens.limits[k]) continue;
+          CHECK(values[k] >= lens.limits[k]->low);
+          CHECK(values[k] <= lens.limits[k]->high);
+        }
+        CHECK(std::abs(lens.crop.camera.cx - base.cx) <= 0.03 * base.width);
+        CHECK(std::abs(lens.crop.camera.cy - base.cy) <= 0.08 * base.height);
+      }
 }
 
-}  // namespace
-
-TEST_CASE("every drawn lens is certified on the padded master, within its limits and its crop's caps") {
-  const LensBounds bounds;
-  const PrincipalPointBounds principal_point;
-  for (double hfov_deg : {30.0, 90.0, 150.0})
-    for (int i = 0; i < 40; ++i) {
-      const Setting s = setting(i % 2 ? 480 : 348, i % 2 ? 270 : 128, hfov_deg);
-      const DrawnLens lens =
-          draw_lens(s.base, s.padded_master, bounds, principal_point, substream(make_stream(0, "lens"), i));
-      CHECK(certify(lens.distortion, s.padded_master).valid);
-      CHECK(largest_displacement(lens.distortion, s.padded_master) <= bounds.max_displacement * (1 + 1e-9));
-      CHECK(lens.crop.zoom >= 1);
-      CHECK(lens.crop.zoom <= principal_point.max_zoom);
-      const double values[7] = {lens.distortion.k1, lens.distortion.k2, lens.distortion.k3,
-                                lens.distortion.p1, lens.distortion.p2, lens.crop.camera.cx,
-                                lens.crop.camera.cy};
-      for (int k = 0; k < 7; ++k) {
-        REQUIRE(lens.limits[k].has_value());
-        CHECK(values[k] >= lens.limits[k]->low);
-        CHECK(values[k] <= lens.limits[k]->high);
-      }
-      CHECK(std::abs(lens.crop.camera.cx - s.base.cx) <= 0.03 * s.base.width);
-      CHECK(std::abs(lens.crop.camera.cy - s.base.cy) <= 0.08 * s.base.height);
+TEST_CASE("a lens knows nothing of the H-FOV or of the number of pixels") {
+  for (LensScheme scheme : {LensScheme::sequential, LensScheme::shape_prior})
+    for (int i = 0; i < 20; ++i) {
+      const LensOptions options{.scheme = scheme, .sequential_share = 0, .bounds = {}, .principal_point = {}};
+      const Stream stream = substream(make_stream(6, "lens"), i);
+      const auto scaled = [&](int size, double hfov_deg) {
+        const Pinhole base = pinhole_from_hfov(16 * size, 9 * size, radians(hfov_deg));
+        return rescaled(draw_lens(base, options, stream).distortion,
+                        0.5 * frame_on_plane(base).diagonal().norm());
+      };
+      const Distortion narrow = scaled(10, 40), wide = scaled(30, 140);
+      CHECK(narrow.k1 == Approx(wide.k1));
+      CHECK(narrow.k2 == Approx(wide.k2));
+      CHECK(narrow.k3 == Approx(wide.k3));
+      CHECK(narrow.p1 == Approx(wide.p1));
+      CHECK(narrow.p2 == Approx(wide.p2));
     }
 }
 
+TEST_CASE("sequential draws have their share among the lenses of a prior") {
+  const Pinhole base = pinhole_from_hfov(160, 90, radians(90));
+  const LensOptions options{
+      .scheme = LensScheme::shape_prior, .sequential_share = 0.2, .bounds = {}, .principal_point = {}};
+  constexpr int count = 1000;
+  int sequential = 0;
+  for (int i = 0; i < count; ++i)
+    sequential += draw_lens(base, options, substream(make_stream(2, "lens"), i)).limits[0].has_value();
+  CHECK(std::abs(sequential - 0.2 * count) < 3.3 * std::sqrt(count * 0.2 * 0.8));  // p = 0.001
+}
+
 TEST_CASE("lenses are of both kinds and do not repeat") {
-  const Setting s = setting(480, 270, 90);
+  const Pinhole base = pinhole_from_hfov(480, 270, radians(90));
   int barrel = 0;
   double last_k1 = 0;
   for (int i = 0; i < 60; ++i) {
-    const DrawnLens lens = draw_lens(s.base, s.padded_master, {}, {}, substream(make_stream(1, "lens"), i));
+    const DrawnLens lens = draw_lens(base, {}, substream(make_stream(1, "lens"), i));
     barrel += lens.distortion.k1 < 0;
     CHECK(lens.distortion.k1 != last_k1);
     last_k1 = lens.distortion.k1;
@@ -62,9 +80,9 @@ TEST_CASE("lenses are of both kinds and do not repeat") {
 }
 
 TEST_CASE("the undistorted lens leaves the camera as it is") {
-  const Setting s = setting(480, 270, 90);
-  const DrawnLens lens = undistorted_lens(s.base);
+  const Pinhole base = pinhole_from_hfov(480, 270, radians(90));
+  const DrawnLens lens = undistorted_lens(base);
   CHECK(lens.distortion == Distortion{});
-  CHECK(lens.crop.camera == s.base);
+  CHECK(lens.crop.camera == base);
   CHECK(lens.crop.zoom == 1);
 }

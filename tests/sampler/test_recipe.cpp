@@ -27,7 +27,8 @@ const std::string whole = "scene = a.glb\nsize = 480x270\nbase_hfov_deg = 90\nvi
 TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   const Recipe recipe = recipe_of(
       "# a comment\nname = try\nseed = 18446744073709551615\nscene = a.glb, b/c.gltf\ncity_seed = 0, 7\n"
-      "size = 1392x512, 480x270\nbase_hfov_deg = 50, 90.5,130\nviews = 12\nlenses = 3\nmax_zoom = 1.75\n",
+      "size = 1392x512, 480x270\nbase_hfov_deg = 50, 90.5,130\nviews = 12\nlenses = 3\nmax_zoom = 1.75\n"
+      "lens_draw = shape_prior\n",
       {"--views", "24"});
   CHECK(recipe.name == "try");
   CHECK(recipe.seed == 18446744073709551615ull);
@@ -38,17 +39,19 @@ TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   CHECK(recipe.sizes[0].height == 512);
   CHECK(recipe.base_hfov_deg == std::vector<double>{50, 90.5, 130});
   CHECK(recipe.views == 24);
-  CHECK(recipe.principal_point_bounds.max_zoom == 1.75);
+  CHECK(recipe.lens_options.principal_point.max_zoom == 1.75);
+  CHECK(recipe.lens_options.scheme == LensScheme::shape_prior);
 }
 
 TEST_CASE("a recipe written out reads back to itself") {
   Recipe recipe = recipe_of(whole);
-  recipe.lens_bounds.max_displacement = 1.0 / 3.0;
+  recipe.lens_options.bounds.max_displacement = 1.0 / 3.0;
+  recipe.lens_options.scheme = LensScheme::shape_prior;
   recipe.sensor.full_well_min_e = 1.3;
   recipe.sensor.full_well_max_e = 12345.678;
   const std::string text = to_text(recipe);
   CHECK(to_text(recipe_of(text)) == text);
-  CHECK(recipe_of(text).lens_bounds.max_displacement == 1.0 / 3.0);
+  CHECK(recipe_of(text).lens_options.bounds.max_displacement == 1.0 / 3.0);
 }
 
 TEST_CASE("a recipe that cannot be is refused by the key's name") {
@@ -72,6 +75,8 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"split = random", "split: must be route or thesis"},
       {"max_displacement = -1", "max_displacement"},
       {"max_zoom = 0.5", "max_zoom"},
+      {"lens_draw = clamped", "lens_draw = clamped: is not one of sequential, shape_prior"},
+      {"sequential_share = 1.5", "sequential_share"},
       {"full_well_min_e = 0", "full_well_min_e"},
   };
   for (const auto& [line, expected] : cases) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "distortion/limits.h"
+
+namespace cps {
+
+/// How the five coefficients of a lens are drawn; see docs/lenses.md.
+enum class LensScheme {
+  sequential,   ///< one after another, each uniform in the interval that the others leave it
+  shape_prior,  ///< corner displacement and shape, chosen to cover what cameras have
+};
+
+std::string to_string(LensScheme scheme);
+/// Throws std::runtime_error, naming the words there are, on any other.
+LensScheme lens_scheme_from_string(const std::string& word);
+
+/// How lenses are drawn, and which.
+struct LensOptions {
+  LensScheme scheme = LensScheme::sequential;
+  /// Share of the lenses that the sequential scheme draws where another is chosen, for coverage.
+  double sequential_share = 0.2;
+  LensBounds bounds;
+  PrincipalPointBounds principal_point;
+  bool is_valid(std::string* why) const;
+};
+
+}  // namespace cps

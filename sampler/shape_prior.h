@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "distortion/brown_conrady.h"
+#include "random/counter_hash.h"
+
+/// A prior over the lenses of cameras, in units of the frame's half diagonal: how far the corner moves, and
+/// the shape of the curve that leads there. The ratios surround those of KITTI's cameras (Geiger et al. 2013)
+/// and of the photographic lenses in the Lensfun database.
+namespace cps {
+
+/// A radial lens: the point at radius r moves by K1 (r³ + b r⁵ + c r⁷), and K1 (1 + b + c) = corner.
+struct LensShape {
+  double corner = 0;  ///< displacement of the corner, r = 1; negative is barrel
+  double b = 0, c = 0;
+};
+
+/// corner ~ U[−.33, .20], b ~ N(−.35, .35), c ~ N(−.1 b, .15).
+LensShape draw_shape(Stream stream);
+
+/// The coefficients that belong to a shape; empty where 1 + b + c < .25 in absolute value, which would take a
+/// huge K1 to move the corner.
+std::optional<Distortion> radial_lens(const LensShape& shape);
+
+/// One draw: a shape, and (p2, p1) at a uniform angle with a length uniform in [0, max_tangential]. It may
+/// exceed any other bound: the caller rejects what does. Empty where the shape is no lens.
+std::optional<Distortion> draw_from_shape_prior(double max_tangential, Stream stream);
+
+}  // namespace cps
