@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "sampler/key_options.h"
 #include "sampler/recipe_keys.h"
-#include "sampler/recipe_values.h"
 
 namespace po = boost::program_options;
 
@@ -74,14 +74,9 @@ bool Recipe::is_valid(std::string* why) const {
 }
 
 po::options_description recipe_options() {
-  po::options_description options("Recipe keys (in the file, or as flags that override it)");
   const Recipe defaults;
-  for_each_recipe_key(defaults, [&](const char* key, const auto& value, const char* help) {
-    const std::string text = value_text(value);
-    const std::string shown = text.empty() ? "" : " (" + text + ")";
-    options.add_options()(key, po::value<std::string>()->value_name("…"), (help + shown).c_str());
-  });
-  return options;
+  return key_options("Recipe keys (in the file, or as flags that override it)",
+                     [&](auto visit) { for_each_recipe_key(defaults, visit); });
 }
 
 void store_recipe_file(const std::filesystem::path& file, po::variables_map& values) {
@@ -96,15 +91,11 @@ void store_recipe_file(const std::filesystem::path& file, po::variables_map& val
 
 Recipe recipe_from(const po::variables_map& values) {
   Recipe recipe;
-  for_each_recipe_key(recipe, [&](const char* key, auto& member, const char*) {
-    if (values.count(key) == 0) return;
-    const auto& text = values[key].as<std::string>();
-    try {
-      parse_value(text, member);
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(std::string("recipe: ") + key + " = " + text + ": " + error.what());
-    }
-  });
+  try {
+    read_keys(values, [&](auto visit) { for_each_recipe_key(recipe, visit); });
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string("recipe: ") + error.what());
+  }
   if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error("recipe: " + why);
   return recipe;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sampler/lens_keys.h"
 #include "sampler/recipe.h"
 
 namespace cps {
@@ -32,18 +33,7 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("lenses", r.lenses, "distorted images per view, besides the undistorted one");
   visit("views_per_lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
-  visit("lens_draw", r.lens_options.scheme, "sequential, or from a prior: shape_prior");
-  visit("sequential_share", r.lens_options.sequential_share,
-        "share of sequential draws among the lenses of a prior");
-  visit("max_displacement", r.lens_options.bounds.max_displacement,
-        "farthest a lens moves a point, of the half diagonal");
-  visit("min_eigenvalue", r.lens_options.bounds.min_eigenvalue, "least local scale of a lens (certified)");
-  visit("max_eigenvalue", r.lens_options.bounds.max_eigenvalue, "largest local scale of a lens (certified)");
-  visit("max_tangential", r.lens_options.bounds.max_tangential, "|(p1, p2)| in units of the half diagonal");
-  visit("max_zoom", r.lens_options.principal_point.max_zoom, "largest zoom of the crop");
-  visit("principal_point_x", r.lens_options.principal_point.max_shift_x, "largest shift of cx, of the width");
-  visit("principal_point_y", r.lens_options.principal_point.max_shift_y,
-        "largest shift of cy, of the height");
+  for_each_lens_key(r.lens_options, visit);
 
   visit("train_share", r.train_share, "share of the views in train");
   visit("val_share", r.val_share, "share of the views in val; the rest is test");
