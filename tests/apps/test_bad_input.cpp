@@ -3,6 +3,7 @@
 
 #include "cps_program.h"
 #include "street_gltf.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -44,7 +45,8 @@ TEST_CASE("help is printed for every verb and exits 0") {
 }
 
 TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave no file") {
-  const fs::path folder = fresh_folder("bad"), scene = write_street_gltf(folder), out = folder / "out";
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "out";
   fs::create_directories(out);
   const std::string o = out.string();
   const std::string rest = " --size 80x45 --base_hfov_deg 60 --views 3 --samples 1 --out " + o + "/dataset";

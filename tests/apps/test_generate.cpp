@@ -8,6 +8,7 @@
 #include "cps_program.h"
 #include "random/counter_hash.h"
 #include "street_gltf.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -47,7 +48,8 @@ bool run_and_kill(const std::string& arguments, std::chrono::milliseconds delay)
 }
 
 void check_kills(int kills) {
-  const fs::path folder = fresh_folder("kill"), scene = write_street_gltf(folder);
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
   REQUIRE(run_cps(generate_arguments(scene, folder / "whole")).exit_status == 0);
   int interrupted = 0;
   for (int i = 0; i < kills; ++i) {
@@ -65,7 +67,8 @@ void check_kills(int kills) {
 }  // namespace
 
 TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finished one is left alone") {
-  const fs::path folder = fresh_folder("whole"), scene = write_street_gltf(folder), out = folder / "dataset";
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
   const ProgramRun made = run_cps(generate_arguments(scene, out));
   INFO(made.output);
   REQUIRE(made.exit_status == 0);
@@ -87,7 +90,8 @@ TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finish
 }
 
 TEST_CASE("one thread and two make the same bytes") {
-  const fs::path folder = fresh_folder("threads"), scene = write_street_gltf(folder);
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
   REQUIRE(run_cps(generate_arguments(scene, folder / "one") + " --threads 1").exit_status == 0);
   REQUIRE(run_cps(generate_arguments(scene, folder / "three") + " --threads 3").exit_status == 0);
   CHECK(contents(folder / "one") == contents(folder / "three"));
@@ -102,7 +106,8 @@ TEST_CASE("the same after a hundred kills", "[slow]") {
 }
 
 TEST_CASE("a folder begun with another recipe is refused") {
-  const fs::path folder = fresh_folder("other"), scene = write_street_gltf(folder), out = folder / "dataset";
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
   REQUIRE(run_cps(generate_arguments(scene, out)).exit_status == 0);
   const ProgramRun refused = run_cps(generate_arguments(scene, out) + " --max_zoom 2");
   CHECK(refused.exit_status == 1);

@@ -1,5 +1,4 @@
 #include <tiny_gltf.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,18 +7,13 @@
 #include <iterator>
 
 #include "scenes/city/city.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("cps_test_city_" + std::to_string(::getpid()));
-  TemporaryFolder() { fs::create_directories(path); }
-  ~TemporaryFolder() { fs::remove_all(path); }
-};
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

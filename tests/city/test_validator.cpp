@@ -1,18 +1,17 @@
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "scenes/city/city.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 
 TEST_CASE("Khronos' validator finds no error in any seed's file", "[slow]") {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / ("cps_gltf_validator_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path;
   const std::string in_folder = "cd " + folder.string() + " && ";
   if (std::system((in_folder + "npm install --silent gltf-validator > npm.log 2>&1").c_str()) != 0)
     FAIL("npm could not install gltf-validator: install npm and allow it to reach its registry");
@@ -27,5 +26,4 @@ TEST_CASE("Khronos' validator finds no error in any seed's file", "[slow]") {
     write_city({.seed = seed}, folder / "city.glb");
     CHECK(std::system((in_folder + "node validate.js city.glb").c_str()) == 0);
   }
-  fs::remove_all(folder);
 }

@@ -11,16 +11,9 @@
 #include "random/counter_hash.h"
 #include "sampler/plan.h"
 #include "tests/sampler/plain_scene.h"
+#include "tests/temporary_folder.h"
 
 namespace cps {
-
-/// An empty folder of its own for one test.
-inline std::filesystem::path fresh_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("cps_test_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
 
 inline Plan small_plan() {
   Recipe recipe;

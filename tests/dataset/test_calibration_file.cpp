@@ -5,6 +5,7 @@
 
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/files.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -24,10 +25,9 @@ const CalibratedCamera odd{
     {.k1 = -0.3728755, .k2 = 0.2037299 / 7, .k3 = -0.07233722, .p1 = 2.219027e-3, .p2 = -1.383707e-9 / 3}};
 
 fs::path fresh_file(const std::string& name) {
-  const fs::path folder = fs::temp_directory_path() / "cps_test_calibration_file";
-  fs::create_directories(folder);
-  fs::remove(folder / name);
-  return folder / name;
+  static const TemporaryFolder folder;
+  fs::remove(folder.path / name);
+  return folder.path / name;
 }
 
 std::string refusal(const std::string& name, const std::string& text) {

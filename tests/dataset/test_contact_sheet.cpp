@@ -7,7 +7,8 @@ using namespace cps;
 
 TEST_CASE("a contact sheet shows each set's views at their tiles") {
   const Plan plan = small_plan();
-  const auto root = fresh_folder("sheet");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   write_small_dataset(root, plan);
   const ContactSheetOptions options{.rows_per_set = 1, .columns = 3, .tile_width_px = 64};
   const OIIO::ImageBuf sheet = contact_sheet(read_dataset(root), options);

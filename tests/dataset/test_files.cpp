@@ -10,7 +10,8 @@ TEST_CASE("SHA-256 agrees with the published test vectors (FIPS 180-4)") {
 }
 
 TEST_CASE("a written file is whole or not there") {
-  const auto folder = fresh_folder("files");
+  const TemporaryFolder temporary;
+  const auto& folder = temporary.path;
   write_file(folder / "a" / "b.txt", std::string("hello"));
   CHECK(read_file(folder / "a" / "b.txt") == "hello");
   write_file(folder / "blocked", std::string("a file, not a folder"));
@@ -27,7 +28,8 @@ TEST_CASE("a written file is whole or not there") {
 }
 
 TEST_CASE("PNG bytes decode to the pixels they were made from and do not vary") {
-  const auto folder = fresh_folder("png");
+  const TemporaryFolder temporary;
+  const auto& folder = temporary.path;
   OIIO::ImageBuf image(OIIO::ImageSpec(37, 21, 3, OIIO::TypeDesc::UINT8));
   auto* pixels = static_cast<std::uint8_t*>(image.localpixels());
   for (int i = 0; i < 3 * 37 * 21; ++i)

@@ -6,7 +6,8 @@
 using namespace cps;
 
 TEST_CASE("frames.csv reads back, whatever a street is called") {
-  const auto folder = fresh_folder("frames");
+  const TemporaryFolder temporary;
+  const auto& folder = temporary.path;
   PlannedView view;
   view.street = "Main St, \"old\"";
   view.part = Part::val;
@@ -24,7 +25,8 @@ TEST_CASE("frames.csv reads back, whatever a street is called") {
 }
 
 TEST_CASE("a frames.csv that is cut short or lacks a column is refused by line or name") {
-  const auto folder = fresh_folder("frames_bad");
+  const TemporaryFolder temporary;
+  const auto& folder = temporary.path;
   write_file(folder / "a.csv", std::string("file,part,condition,street,sha256\nx.png,train\n"));
   CHECK_THROWS_WITH(read_frames_csv(folder / "a.csv"), Catch::Contains("a.csv: line 2"));
   write_file(folder / "b.csv", std::string("file,part,condition,sha256\n"));

@@ -21,7 +21,8 @@ ViewRecord record_of(std::int64_t view, const std::filesystem::path& root) {
 }  // namespace
 
 TEST_CASE("what was journalled is there when the job is taken up again") {
-  const auto root = fresh_folder("journal");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   {
     Journal journal(root, {"job", "seed = 0\n"});
     for (int v : {0, 1, 5}) journal.append(record_of(v, root));
@@ -36,7 +37,8 @@ TEST_CASE("what was journalled is there when the job is taken up again") {
 }
 
 TEST_CASE("a line cut at any byte costs that view only, and the journal goes on cleanly") {
-  const auto root = fresh_folder("journal_cut");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   {
     Journal journal(root, {"job", ""});
     journal.append(record_of(0, root));
@@ -57,7 +59,8 @@ TEST_CASE("a line cut at any byte costs that view only, and the journal goes on 
 }
 
 TEST_CASE("a damaged line and a vanished picture cost their views only") {
-  const auto root = fresh_folder("journal_damaged");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   {
     Journal journal(root, {"job", ""});
     for (int v : {0, 1, 2}) journal.append(record_of(v, root));
@@ -74,7 +77,8 @@ TEST_CASE("a damaged line and a vanished picture cost their views only") {
 }
 
 TEST_CASE("another recipe in the same folder is refused, with the difference named") {
-  const auto root = fresh_folder("journal_other");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   { const Journal journal(root, {"job", "seed = 0\nviews = 3\n"}); }
   CHECK_THROWS_WITH(Journal(root, Job{"other", "seed = 0\nviews = 4\n"}),
                     Catch::Contains("\"views = 3\" became \"views = 4\""));

@@ -12,7 +12,8 @@ namespace {
 template <typename Damage>
 std::string faults_after(Damage damage) {
   static const Plan plan = small_plan();
-  const auto root = fresh_folder("verify");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   write_small_dataset(root, plan);
   damage(root, plan);
   std::string joined;
@@ -41,7 +42,8 @@ void change_label(const std::filesystem::path& file, const char* key, double val
 
 TEST_CASE("a dataset written by the plan reads back and verifies") {
   const Plan plan = small_plan();
-  const auto root = fresh_folder("verify_good");
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
   write_small_dataset(root, plan);
   const VerifySummary summary = verify_dataset(root);
   CHECK(summary.faults == std::vector<std::string>{});
@@ -58,7 +60,8 @@ TEST_CASE("a dataset written by the plan reads back and verifies") {
 }
 
 TEST_CASE("the same plan gives the same files") {
-  const auto a = fresh_folder("same_a"), b = fresh_folder("same_b");
+  const TemporaryFolder folder_a, folder_b;
+  const auto &a = folder_a.path, &b = folder_b.path;
   write_small_dataset(a, small_plan());
   write_small_dataset(b, small_plan());
   for (const auto& entry : std::filesystem::recursive_directory_iterator(a))
@@ -121,6 +124,6 @@ TEST_CASE("verify finds a label that was tampered with, however slightly") {
 
 TEST_CASE("what is no finished dataset is refused in one line") {
   CHECK_THROWS_WITH(verify_dataset("/nonexistent"), Catch::Contains("/nonexistent"));
-  CHECK_THROWS_WITH(verify_dataset(fresh_folder("empty")), Catch::Contains("cps generate"));
-  CHECK_THROWS_WITH(read_dataset(fresh_folder("empty2")), Catch::Contains("calibration.json"));
+  CHECK_THROWS_WITH(verify_dataset(TemporaryFolder().path), Catch::Contains("cps generate"));
+  CHECK_THROWS_WITH(read_dataset(TemporaryFolder().path), Catch::Contains("calibration.json"));
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "sampler/recipe.h"
+#include "tests/temporary_folder.h"
 
 namespace po = boost::program_options;
 using namespace cps;
@@ -12,7 +13,8 @@ namespace {
 
 /// Parses recipe text as generate does, after writing it to a file.
 Recipe recipe_of(const std::string& text, const std::vector<std::string>& flags = {}) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "cps_test_recipe.cfg";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "recipe.cfg";
   std::ofstream(file) << text;
   po::variables_map values;
   po::store(po::command_line_parser(flags).options(recipe_options()).run(), values);

@@ -149,16 +149,6 @@ std::vector<unsigned char> encode_image(const std::string& format, int width, in
   return bytes;
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "cps_test_XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-  path = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::filesystem::remove_all(path);
-}
-
 void write_file(const std::filesystem::path& file, const void* data, std::size_t size) {
   std::ofstream stream(file, std::ios::binary);
   stream.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/scene.h"
+#include "tests/temporary_folder.h"
 
 /// A glTF file being made by hand: JSON as a test likes it and one buffer.
 struct GltfMaker {
@@ -53,12 +54,7 @@ std::vector<unsigned char> encode_image(const std::string& format, int width, in
 
 std::string base64(const std::vector<unsigned char>& bytes);
 
-/// A folder of its own, removed with everything in it.
-struct TemporaryFolder {
-  TemporaryFolder();
-  ~TemporaryFolder();
-  std::filesystem::path path;
-};
+using cps::TemporaryFolder;
 
 void write_file(const std::filesystem::path& file, const void* data, std::size_t size);
 

@@ -6,7 +6,7 @@
 
 #include "dataset/files.h"
 #include "street.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "trainer/image_cache.h"
 #include "trainer/samples.h"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "street.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "trainer/evaluate.h"
 #include "trainer/samples.h"
 #include "trainer/train.h"

@@ -2,7 +2,7 @@
 
 #include "dataset/files.h"
 #include "street.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "trainer/train.h"
 
 using namespace cps;
