@@ -45,8 +45,9 @@ Scene make_scene(Document& document) {
 
 }  // namespace
 
-Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings) try {
-  Document document = read_document(file);
+Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings,
+                  std::size_t max_decoded_bytes) try {
+  Document document = read_document(file, max_decoded_bytes);
   Scene scene = make_scene(document);
   if (warnings) *warnings = document.warnings;
   return scene;

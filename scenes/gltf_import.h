@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ namespace cps {
 /// What can be left out without changing the shape of things (extensions of materials, animations, …) is
 /// noted in `warnings`, a line each. Throws std::runtime_error with one line (file, what, fix) for what is
 /// broken or not supported; nothing is guessed.
-Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr);
+///
+/// A few bytes of glTF can ask for terabytes: what would need more than `max_decoded_bytes` of vertices,
+/// triangles and texels, or names as much in other files, is refused before it is read or allocated.
+Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
+                  std::size_t max_decoded_bytes = std::size_t{12} << 30);
 
 }  // namespace cps

@@ -155,7 +155,13 @@ std::vector<std::uint32_t> read_indices(Document& document, int accessor, const 
   if (!is_index_type(from)) refuse(document, where, "indices must be u8, u16 or u32 scalars");
   reserve_memory(document, where, from.count, sizeof(std::uint32_t));
   std::vector<std::uint32_t> indices(from.count);
-  for (std::size_t i = 0; i < from.count; ++i) indices[i] = whole_number(from, i);
+  const std::size_t bits = 8 * tinygltf::GetComponentSizeInBytes(from.component_type);
+  const auto restart = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);  // glTF 2.0 §3.7.2.1
+  for (std::size_t i = 0; i < from.count; ++i) {
+    indices[i] = whole_number(from, i);
+    if (indices[i] == restart)
+      refuse(document, where, std::to_string(restart) + " restarts primitives, which glTF does not have");
+  }
   return indices;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "scenes/gltf/data_uris.h"
 #include "scenes/gltf/draco.h"
 #include "scenes/gltf/json_checks.h"
 
@@ -15,10 +16,13 @@ namespace {
 using Bytes = std::vector<unsigned char>;
 
 /// tinygltf counts bytes in 32 bits, images in 31.
-constexpr std::uintmax_t max_file_bytes = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t max_file_bytes = std::numeric_limits<std::int32_t>::max();
 
-/// Reads a regular file; `why` names what is wrong otherwise.
-bool read_bytes(const std::filesystem::path& file, Bytes& bytes, std::string& why) {
+/// "[1,1,1,…" takes two bytes of text a value, and 16 in the first tree, 150 in tinygltf's.
+constexpr std::size_t max_json_growth = 128;
+
+/// Reads a regular file of at most `max_bytes`; `why` names what is wrong otherwise.
+bool read_bytes(const std::filesystem::path& file, std::size_t max_bytes, Bytes& bytes, std::string& why) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) return why = "no such file", false;
@@ -27,6 +31,7 @@ bool read_bytes(const std::filesystem::path& file, Bytes& bytes, std::string& wh
   if (error) return why = error.message(), false;
   if (size == 0) return why = "is empty", false;
   if (size > max_file_bytes) return why = "is larger than 2 GiB", false;
+  if (size > max_bytes) return why = "is more than may be read for this scene", false;
   std::ifstream stream(file, std::ios::binary);
   bytes.resize(size);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
@@ -90,18 +95,26 @@ bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, i
   return true;
 }
 
+/// The glTF file's folder, and how many bytes may still be read from the files in it: a thousand buffers can
+/// name the same large one.
+struct Folder {
+  std::string path;
+  std::size_t bytes_left;
+};
+
 /// tinygltf looks for files beside the glTF file and then in the current directory; only the former is meant.
-tinygltf::FsCallbacks files_beside(std::string* folder) {
+tinygltf::FsCallbacks files_beside(Folder* folder) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.FileExists = [](const std::string& path, void* user) {
     std::error_code error;
-    return path.rfind(*static_cast<std::string*>(user) + "/", 0) == 0 &&
+    return path.starts_with(static_cast<Folder*>(user)->path + "/") &&
            std::filesystem::is_regular_file(path, error);
   };
   callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-  callbacks.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void*) {
+  callbacks.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void* user) {
+    std::size_t& bytes_left = static_cast<Folder*>(user)->bytes_left;
     std::string why;
-    if (read_bytes(path, *out, why)) return true;
+    if (read_bytes(path, bytes_left, *out, why)) return bytes_left -= out->size(), true;
     if (error) *error += why;
     return false;
   };
@@ -111,21 +124,23 @@ tinygltf::FsCallbacks files_beside(std::string* folder) {
 
 }  // namespace
 
-Document read_document(const std::filesystem::path& file) {
+Document read_document(const std::filesystem::path& file, std::size_t max_decoded_bytes) {
   Bytes bytes;
   std::string why;
-  if (!read_bytes(file, bytes, why)) throw std::runtime_error(file.string() + ": " + why);
+  if (!read_bytes(file, max_file_bytes, bytes, why)) throw std::runtime_error(file.string() + ": " + why);
 
   const bool glb = is_glb(bytes);
   const std::string_view text =
       glb ? check_glb(file, bytes)
           : std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  if (text.size() > max_decoded_bytes / max_json_growth)
+    refuse(file, "JSON", "is longer than " + std::to_string(max_decoded_bytes / max_json_growth) + " bytes");
   nlohmann::json root = parse_checked_json(file, text);
-  if (complete_draco_accessors(root)) bytes = with_json(bytes, root.dump());
+  const bool draco_changed = complete_draco_accessors(root), uris_changed = complete_data_uris(root);
+  if (draco_changed || uris_changed) bytes = with_json(bytes, root.dump());
 
-  Document document;
-  document.file = file;
-  std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  Document document{.file = file, .max_decoded_bytes = max_decoded_bytes};
+  Folder folder{file.has_parent_path() ? file.parent_path().string() : ".", max_decoded_bytes};
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_image_bytes, nullptr);
   reader.SetFsCallbacks(files_beside(&folder));
@@ -133,9 +148,10 @@ Document read_document(const std::filesystem::path& file) {
   bool loaded = false;
   try {
     const auto size = static_cast<unsigned int>(bytes.size());
-    loaded = glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder)
-                 : reader.LoadASCIIFromString(&document.model, &error, &remarks,
-                                              reinterpret_cast<const char*>(bytes.data()), size, folder);
+    loaded =
+        glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder.path)
+            : reader.LoadASCIIFromString(&document.model, &error, &remarks,
+                                         reinterpret_cast<const char*>(bytes.data()), size, folder.path);
   } catch (const std::exception& exception) {
     error = exception.what();
   }

@@ -31,11 +31,11 @@ void warn(Document& document, const std::string& text) {
 }
 
 void reserve_memory(Document& document, const std::string& where, std::size_t count, std::size_t bytes_each) {
-  const std::size_t left = max_decoded_bytes - document.decoded_bytes;
+  const std::size_t left = document.max_decoded_bytes - document.decoded_bytes;
   if (bytes_each != 0 && count > left / bytes_each)
     refuse(document, where,
-           "the scene would need more than " + std::to_string(max_decoded_bytes >> 30) +
-               " GiB of vertices and texels: split it or shrink its textures");
+           "the scene would need more than " + std::to_string(document.max_decoded_bytes >> 20) +
+               " MiB of vertices and texels: split it or shrink its textures");
   document.decoded_bytes += count * bytes_each;
 }
 

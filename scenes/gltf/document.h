@@ -12,13 +12,11 @@ namespace cps::gltf {
 /// One file on its way to becoming a Scene: what tinygltf read of it, and what was found on the way.
 struct Document {
   std::filesystem::path file;  ///< for messages
-  tinygltf::Model model;
-  std::vector<std::string> warnings;
+  tinygltf::Model model = {};
+  std::vector<std::string> warnings = {};
   std::size_t decoded_bytes = 0;  ///< vertices, triangles and texels made so far
+  std::size_t max_decoded_bytes = 0;
 };
-
-/// Vertices, triangles and texels of one scene may not need more: a few bytes of glTF can ask for terabytes.
-inline constexpr std::size_t max_decoded_bytes = std::size_t{12} << 30;
 
 /// Throws std::runtime_error("<file>: <where>: <what>"), made one printable line.
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& where,

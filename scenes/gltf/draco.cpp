@@ -1,7 +1,11 @@
 #include "scenes/gltf/draco.h"
 
 #include <draco/compression/decode.h>
+#include <draco/compression/point_cloud/point_cloud_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/metadata/metadata_decoder.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -32,10 +36,41 @@ int component_type(draco::DataType type) {
   }
 }
 
+/// Draco allocates what the header claims before it looks whether so much data follows: the claim is checked
+/// here, in the bitstream that KHR_draco_mesh_compression asks for, 2.2. Takes the buffer by value, which
+/// copies its position and not its bytes.
+void check_header(Document& document, draco::DecoderBuffer buffer, const std::string& where) {
+  const auto fail = [&](const std::string& why) {
+    refuse(document, where, "Draco data cannot be decoded (" + why + ")");
+  };
+  draco::DracoHeader header;
+  if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok() ||
+      header.encoder_type != draco::TRIANGULAR_MESH)
+    fail("it is no Draco mesh");
+  if (header.version_major != 2 || header.version_minor != 2)
+    fail("its bitstream is " + std::to_string(header.version_major) + "." +
+         std::to_string(header.version_minor) + ", glTF's is 2.2");
+  draco::GeometryMetadata metadata;
+  if ((header.flags & METADATA_FLAG_MASK) != 0 &&
+      !draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata))
+    fail("its metadata are broken");
+  buffer.set_bitstream_version(draco::kDracoMeshBitstreamVersion);
+  std::uint8_t traversal = 0;
+  std::uint32_t vertices = 0, faces = 0;
+  const bool whole = header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING
+                         ? buffer.Decode(&traversal) && draco::DecodeVarint(&vertices, &buffer) &&
+                               draco::DecodeVarint(&faces, &buffer)
+                         : draco::DecodeVarint(&faces, &buffer) && draco::DecodeVarint(&vertices, &buffer);
+  if (!whole) fail("it is cut off");
+  constexpr std::size_t decoder_bytes = 64;  // a face's share of the decoder's tables
+  reserve_memory(document, where, std::max(vertices, faces), decoder_bytes);
+}
+
 std::unique_ptr<draco::Mesh> decode(Document& document, int view, const std::string& where) {
   const std::span<const unsigned char> bytes = bytes_of_view(document, view, 0, where);
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  check_header(document, buffer, where);
   auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok())
     refuse(document, where, "Draco data cannot be decoded (" + decoded.status().error_msg_string() + ")");

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "scenes/gltf/accessors.h"
+#include "scenes/gltf/morphs.h"
 #include "scenes/gltf/skins.h"
 
 namespace cps::gltf {
@@ -57,13 +58,14 @@ std::vector<Eigen::Affine3d> repetitions(Document& document, const tinygltf::Nod
 void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::string& where) {
   Document& document = meshes.document;
   const tinygltf::Node& node = document.model.nodes[placed.node];
+  const std::vector<double> weights = rest_weights(document, node);
   for (const Eigen::Affine3d& node_from_mesh : repetitions(document, node, where)) {
     const Eigen::Affine3f world_from_mesh = (placed.world_from_node * node_from_mesh).cast<float>();
     if (!is_invertible(world_from_mesh)) {
       warn(document, where + ": its scale is 0 along an axis, not drawn");
       continue;
     }
-    const std::vector<int>& parts = shared_meshes(meshes, node.mesh);
+    const std::vector<int>& parts = shared_meshes(meshes, node.mesh, weights);
     reserve_memory(document, where, parts.size(), sizeof(Instance));
     for (const int mesh : parts) meshes.scene.instances.push_back({mesh, world_from_mesh});
   }
@@ -82,7 +84,8 @@ void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
     if (node.skin == -1) {
       add_instances(meshes, place, where);
     } else {  // the joints alone say where a skinned mesh stands
-      for (const int mesh : add_meshes(meshes, node.mesh, joint_transforms(document, node.skin, placed)))
+      const RestPose pose{rest_weights(document, node), joint_transforms(document, node.skin, placed)};
+      for (const int mesh : add_meshes(meshes, node.mesh, pose))
         meshes.scene.instances.push_back({mesh, Eigen::Affine3f::Identity()});
     }
   }

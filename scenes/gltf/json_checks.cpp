@@ -25,6 +25,7 @@ constexpr const char* whole_numbers[] = {
     "meshes[].primitives[].mode",
     "meshes[].primitives[].indices",
     "meshes[].primitives[].attributes.*",
+    "meshes[].primitives[].targets[].*",
     "accessors[].bufferView",
     "accessors[].byteOffset",
     "accessors[].componentType",
@@ -63,6 +64,8 @@ constexpr const char* numbers[] = {
     "nodes[].translation[]",
     "nodes[].rotation[]",
     "nodes[].scale[]",
+    "nodes[].weights[]",
+    "meshes[].weights[]",
     "materials[].emissiveFactor[]",
     "materials[].alphaCutoff",
     "materials[].pbrMetallicRoughness.baseColorFactor[]",
@@ -149,12 +152,13 @@ json parse(const std::filesystem::path& file, std::string_view text) {
 }
 
 void check_version(const std::filesystem::path& file, const json& root) {
-  const json version = root.value(json::json_pointer("/asset/version"), json());
-  if (!version.is_string()) refuse(file, "asset.version", "is missing: is this a glTF file?");
-  const std::string name = version;
-  if (!name.starts_with("2."))
-    refuse(file, "asset.version", "is " + name + ", only glTF 2.0 is read: convert the file to 2.0");
-  if (root["asset"].value("minVersion", json("2.0")) != "2.0")
+  const auto asset = root.find("asset");
+  if (asset == root.end() || !asset->is_object() || !asset->value("version", json()).is_string())
+    refuse(file, "asset.version", "is missing: is this a glTF file?");
+  const std::string version = (*asset)["version"];
+  if (!version.starts_with("2."))
+    refuse(file, "asset.version", "is " + version + ", only glTF 2.0 is read: convert the file to 2.0");
+  if (asset->value("minVersion", json("2.0")) != "2.0")
     refuse(file, "asset.minVersion", "is newer than 2.0, only glTF 2.0 is read");
 }
 

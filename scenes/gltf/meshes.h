@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <map>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "scenes/gltf/materials.h"
+#include "scenes/gltf/primitives.h"
 
 namespace cps::gltf {
 
@@ -14,15 +14,15 @@ struct MeshTable {
   Document& document;
   Scene& scene;
   MaterialTable materials;
-  std::map<int, std::vector<int>> shared = {};  ///< glTF mesh → scene's, one for each primitive of triangles
+  /// glTF mesh and its morph targets' weights → scene's, one for each primitive of triangles
+  std::map<std::pair<int, std::vector<double>>, std::vector<int>> shared = {};
 };
 
 /// Adds a glTF mesh to the scene, one mesh for each of its primitives of triangles, and returns their
-/// indices. With `joint_transforms` (a skin's) it is bent to the world's frame.
-std::vector<int> add_meshes(MeshTable& table, int gltf_mesh,
-                            std::span<const Eigen::Affine3f> joint_transforms);
+/// indices.
+std::vector<int> add_meshes(MeshTable& table, int gltf_mesh, const RestPose& pose);
 
 /// The scene's meshes for a glTF mesh without a skin, added on first use.
-const std::vector<int>& shared_meshes(MeshTable& table, int gltf_mesh);
+const std::vector<int>& shared_meshes(MeshTable& table, int gltf_mesh, const std::vector<double>& weights);
 
 }  // namespace cps::gltf

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "scenes/gltf/attributes.h"
+#include "scenes/gltf/morphs.h"
 #include "scenes/gltf/normals.h"
 #include "scenes/gltf/skins.h"
 #include "scenes/gltf/tangents.h"
@@ -82,10 +83,22 @@ void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_
   blend_to_joints(mesh, joints, weights, joint_transforms);
 }
 
+/// Weights and transforms may lead beyond what a float holds.
+void check_finite(const PrimitiveReader& reader, const Mesh& mesh) {
+  const auto check = [&](const auto& values, const char* name) {
+    for (const auto& value : values)
+      if (!value.allFinite())
+        refuse(reader.document, reader.where + "." + name, "is not finite in the rest pose");
+  };
+  check(mesh.positions, "POSITION");
+  check(mesh.uv0, "TEXCOORD_0");
+  check(mesh.uv1, "TEXCOORD_1");
+}
+
 }  // namespace
 
-Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive,
-               std::span<const Eigen::Affine3f> joint_transforms, const std::string& where) {
+Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive, const RestPose& pose,
+               const std::string& where) {
   Document& document = materials.document;
   Mesh mesh;
   if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
@@ -110,12 +123,13 @@ Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive,
   mesh.uv0 = read_finite_attribute<2>(reader, "TEXCOORD_0");
   mesh.uv1 = read_finite_attribute<2>(reader, "TEXCOORD_1");
   mesh.colors = read_colors(reader);
-  if (!joint_transforms.empty()) apply_skin(reader, joint_transforms, mesh);
+  apply_morph_targets(reader, pose.weights, mesh);
+  if (!pose.joint_transforms.empty()) apply_skin(reader, pose.joint_transforms, mesh);
+  check_finite(reader, mesh);
   mesh.material = material_index(materials, primitive.material, where);
   const Material& material = materials.scene.materials[mesh.material];
   complete_uv(reader, material, mesh);
   complete_frames(reader, material, mesh);
-  if (!primitive.targets.empty()) warn(document, "morph targets are not applied");
   return mesh;
 }
 

@@ -1,9 +1,11 @@
 #include "scenes/gltf/tangents.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 namespace cps::gltf {
 namespace {
@@ -12,11 +14,32 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
+Vector3f in_plane(const Vector3f& v, const Vector3f& normal) {
+  return (v - normal * normal.dot(v)).stableNormalized();
+}
+
+/// The angle of a triangle's corner as seen along the vertex's normal.
 float corner_angle(const Mesh& mesh, const Vector3i& triangle, int corner) {
   const Vector3f& at = mesh.positions[triangle[corner]];
-  const Vector3f a = mesh.positions[triangle[(corner + 1) % 3]] - at;
-  const Vector3f b = mesh.positions[triangle[(corner + 2) % 3]] - at;
+  const Vector3f& normal = mesh.normals[triangle[corner]];
+  const Vector3f a = in_plane(mesh.positions[triangle[(corner + 1) % 3]] - at, normal);
+  const Vector3f b = in_plane(mesh.positions[triangle[(corner + 2) % 3]] - at, normal);
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// One number for all vertices that agree in position, normal and texture coordinates, however often the file
+/// repeats them.
+std::vector<std::uint32_t> welded_numbers(const Mesh& mesh, const std::vector<Vector2f>& uv) {
+  const auto key = [&](std::uint32_t i) {
+    const Vector3f &p = mesh.positions[i], &n = mesh.normals[i];
+    return std::array{p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), uv[i].x(), uv[i].y()};
+  };
+  std::vector<std::uint32_t> order(mesh.positions.size()), numbers(order.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    numbers[order[i]] = numbers[order[i - 1]] + (key(order[i - 1]) < key(order[i]));
+  return numbers;
 }
 
 template <class T>
@@ -47,7 +70,8 @@ void make_tangents(Mesh& mesh, const TextureSlot& slot) {
   std::vector<Vector2f> uv = slot.uv_set == 1 ? mesh.uv1 : mesh.uv0;
   for (Vector2f& coordinate : uv) coordinate = slot.uv_transform * coordinate;
 
-  // Sums for unmirrored [0] and mirrored [1] triangles at each vertex.
+  // Sums for unmirrored [0] and mirrored [1] triangles at each welded vertex.
+  const std::vector<std::uint32_t> welded = welded_numbers(mesh, uv);
   const std::size_t vertices = mesh.positions.size();
   std::array<std::vector<Vector3f>, 2> sums;
   sums.fill(std::vector<Vector3f>(vertices, Vector3f::Zero()));
@@ -56,16 +80,14 @@ void make_tangents(Mesh& mesh, const TextureSlot& slot) {
   for (const Vector3i& triangle : mesh.triangles) {
     frames.push_back(uv_frame(mesh, uv, triangle));
     for (int c = 0; c < 3; ++c) {
-      const Vector3f& normal = mesh.normals[triangle[c]];
-      const Vector3f& along_u = frames.back().along_u;
-      const Vector3f tangent = (along_u - normal * normal.dot(along_u)).stableNormalized();
+      const Vector3f tangent = in_plane(frames.back().along_u, mesh.normals[triangle[c]]);
       if (tangent.allFinite())
-        sums[frames.back().mirrored][triangle[c]] += corner_angle(mesh, triangle, c) * tangent;
+        sums[frames.back().mirrored][welded[triangle[c]]] += corner_angle(mesh, triangle, c) * tangent;
     }
   }
 
   const auto tangent_at = [&](std::size_t vertex, bool mirrored) {
-    Vector3f tangent = sums[mirrored][vertex].stableNormalized();
+    Vector3f tangent = sums[mirrored][welded[vertex]].stableNormalized();
     if (!(tangent.norm() > 0.5f)) tangent = mesh.normals[vertex].unitOrthogonal();
     return Eigen::Vector4f(tangent.x(), tangent.y(), tangent.z(), mirrored ? -1.0f : 1.0f);
   };

@@ -62,6 +62,33 @@ TEST_CASE("quantised attributes: normalised ones by the specification's rule, ot
   CHECK(mesh.colors[0] == Eigen::Vector4f(1, 0, 0.2f, 1));
 }
 
+TEST_CASE("colours of 8, 16 and 32 bits, with and without alpha, and normalised 16-bit positions") {
+  GltfMaker maker = one_triangle();
+  json& attributes = maker.primitive()["attributes"];
+  const std::vector<std::uint8_t> rgb8 = {255, 51, 0, 0, 255, 51, 0, 0, 255, 51, 0, 0};
+  const std::vector<std::uint16_t> rgba16 = {65535, 13107, 0,     65535, 65535, 13107,
+                                             0,     65535, 65535, 13107, 0,     65535};
+  SECTION("RGB, 8 bit") {
+    attributes["COLOR_0"] = maker.add_accessor(maker.add_view(rgb8.data(), 12, 4), 5121, "VEC3", 3, true);
+  }
+  SECTION("RGBA, 16 bit") {
+    attributes["COLOR_0"] = maker.add(rgba16, 5123, "VEC4", 3, true);
+  }
+  SECTION("RGB, 16 bit") {
+    attributes["COLOR_0"] = maker.add_accessor(maker.add_view(rgba16.data(), 24, 8), 5123, "VEC3", 3, true);
+  }
+  SECTION("RGBA, float") {
+    attributes["COLOR_0"] = maker.add_floats({1, 0.2f, 0, 1, 1, 0.2f, 0, 1, 1, 0.2f, 0, 1}, "VEC4");
+  }
+  const std::vector<std::int16_t> positions = {0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, -16384, 0};
+  attributes["POSITION"] = maker.add_accessor(maker.add_view(positions.data(), 24, 8), 5122, "VEC3", 3, true);
+  maker.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const cps::Mesh mesh = import_glb(maker).meshes.at(0);
+  CHECK(mesh.colors == std::vector<Eigen::Vector4f>(3, {1, 0.2f, 0, 1}));
+  CHECK(mesh.positions[1] == Vector3f(1, 0, 0));
+  CHECK(mesh.positions[2] == Vector3f(0, -1, -16384.0f / 32767));
+}
+
 TEST_CASE("sparse accessors replace some elements, of a buffer view or of zeros") {
   GltfMaker maker = one_triangle();
   const std::uint16_t indices[] = {1, 2};
@@ -141,10 +168,11 @@ TEST_CASE("a few bytes may not ask for terabytes") {
   GltfMaker maker = one_triangle();
   maker.json["accessors"][0].erase("bufferView");  // zeros
   maker.json["accessors"][0]["count"] = 2000000000;
-  CHECK(refusal(maker) ==
-        "meshes[0].primitives[0].POSITION (accessors[0]): the scene would need more than 12 GiB of vertices "
-        "and "
-        "texels: split it or shrink its textures");
+  CHECK(
+      refusal(maker) ==
+      "meshes[0].primitives[0].POSITION (accessors[0]): the scene would need more than 12288 MiB of vertices "
+      "and "
+      "texels: split it or shrink its textures");
 }
 
 TEST_CASE("vertices that do not exist, counts that differ, positions that are not finite") {

@@ -38,6 +38,40 @@ TEST_CASE("the same scene from .glb, a data URI and a file beside the .gltf") {
   CHECK(from_file.name == "square");
 }
 
+TEST_CASE("many buffers that name one large file, and JSON too long for the memory, are refused before") {
+  GltfMaker maker = one_triangle();
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "t.gltf";
+  maker.buffer.resize(20000);
+  auto root = nlohmann::json::parse(maker.gltf("b.bin"));
+  for (int i = 0; i < 10; ++i) root["buffers"].push_back(root["buffers"][0]);
+  const std::string text = root.dump();
+  write_file(file, text.data(), text.size());
+  write_file(folder.path / "b.bin", maker.buffer.data(), maker.buffer.size());
+  CHECK(cps::import_gltf(file, nullptr, 250000).meshes.size() == 1);
+  CHECK_THROWS_WITH(cps::import_gltf(file, nullptr, 150000),
+                    Catch::Matchers::Contains("b.bin") && Catch::Matchers::Contains("more than may be read"));
+  CHECK_THROWS_WITH(cps::import_gltf(file, nullptr, 50000),
+                    file.string() + ": JSON: is longer than 390 bytes");
+}
+
+TEST_CASE("files are looked for from the glTF file's folder, whatever their names begin with") {
+  const GltfMaker maker = one_triangle();
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path / "below");
+  write_file(folder.path / "b.bin", maker.buffer.data(), maker.buffer.size());
+  const std::filesystem::path file = folder.path / "below" / "t.gltf";
+  const auto import_with = [&](const std::string& uri) {
+    const std::string text = maker.gltf(uri);
+    write_file(file, text.data(), text.size());
+    return cps::import_gltf(file).meshes.size();
+  };
+  CHECK(import_with("../b.bin") == 1);
+  CHECK_THROWS(import_with((folder.path / "b.bin").string()));
+  CHECK_THROWS(import_with("file://" + (folder.path / "b.bin").string()));
+  CHECK_THROWS(import_with("/dev/zero"));
+}
+
 TEST_CASE("a file in the current folder works, one that is only there does not") {
   const GltfMaker maker = one_triangle();
   const TemporaryFolder folder;
@@ -73,7 +107,8 @@ TEST_CASE("files that are not there, not files, or not glTF") {
 
   CHECK_THAT(refusal(bytes_of("hello")), StartsWith("JSON: cannot be parsed"));
   CHECK(refusal(bytes_of("[]")) == "JSON: its root must be an object: is this a glTF file?");
-  CHECK(refusal(bytes_of("{}")) == "asset.version: is missing: is this a glTF file?");
+  for (const char* text : {"{}", R"({"asset":[]})", R"({"asset":{"version":2.0}})"})
+    CHECK(refusal(bytes_of(text)) == "asset.version: is missing: is this a glTF file?");
   CHECK(refusal(bytes_of(std::string(100000, '['))) ==
         "JSON: nested deeper than 100 levels: is this a glTF file?");
   CHECK(refusal(bytes_of(R"({"asset":{"version":"2.0"}})")) == "scene: holds no triangles to draw");

@@ -99,6 +99,30 @@ TEST_CASE("PNG of one to four channels becomes RGBA with alpha as it was") {
   }
 }
 
+TEST_CASE("PNG with a palette, and of 16 bits, in data URIs") {
+  GltfMaker maker = textured_square(encode_image("png", 1, 1, 3, {1, 2, 3}));
+  // 2 × 1: a palette of (10, 20, 30) and (200, 100, 50) with alpha 255 and 64; gray 0x1234 and 0xff00.
+  maker.json["images"][0] = {{"uri",
+                              "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAMAAADD/"
+                              "I+4AAAABlBMVEUKFB7IZDJ3oLOcAAAAAnRSTlP/"
+                              "QJNrcdoAAAAOSURBVHgBAQMA/P8AAAEABAACCyGLcQAAAABJRU5ErkJggg=="}};
+  CHECK(import_glb(maker).textures.at(0).rgba == Values{10, 20, 30, 255, 200, 100, 50, 64});
+  maker.json["images"][0] = {
+      {"uri",
+       "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABEAAAAACB2fwVAAAAEElEQVR4AQEFAPr/ABI0/"
+       "wAC5wFGE8Kg1AAAAABJRU5ErkJggg=="}};
+  CHECK(import_glb(maker).textures.at(0).rgba == Values{0x12, 0x12, 0x12, 255, 0xfe, 0xfe, 0xfe, 255});
+}
+
+TEST_CASE("a data URI's media type does not matter") {
+  const std::vector<unsigned char> webp = encode_image("webp", 2, 2, 3, Values(12, 100));
+  GltfMaker maker = textured_square(encode_image("png", 1, 1, 3, {1, 2, 3}));
+  for (const char* header : {"data:image/webp;base64,", "data:;base64,", "data:image/png;name=a;base64,"}) {
+    maker.json["images"][0] = {{"uri", header + base64(webp)}};
+    CHECK(import_glb(maker).textures.at(0).width == 2);
+  }
+}
+
 TEST_CASE("JPEG and WebP") {
   const std::string format = GENERATE("jpeg", "webp");
   GltfMaker maker = textured_square(encode_image(format, 16, 16, 3, Values(16 * 16 * 3, 100)));

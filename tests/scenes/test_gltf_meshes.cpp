@@ -45,6 +45,34 @@ TEST_CASE("strips and fans wind as lists do") {
   }
 }
 
+TEST_CASE("strips and fans without indices take the vertices in order") {
+  GltfMaker maker = one_square();
+  maker.primitive().erase("indices");
+  maker.primitive()["mode"] = 5;
+  CHECK(import_glb(maker).meshes.at(0).triangles == std::vector<Vector3i>{{0, 1, 2}, {1, 3, 2}});
+  maker.primitive()["mode"] = 6;
+  CHECK(import_glb(maker).meshes.at(0).triangles == std::vector<Vector3i>{{1, 2, 0}, {2, 3, 0}});
+}
+
+TEST_CASE(
+    "the largest index of each type would restart primitives and is refused, even where its vertex exists") {
+  GltfMaker maker;
+  const std::size_t count = 65536;
+  maker.json["meshes"] = {
+      {{"primitives",
+        {{{"attributes", {{"POSITION", maker.add_floats(std::vector<float>(3 * count, 1), "VEC3")}}}}}}}};
+  maker.json["nodes"] = {{{"mesh", 0}}};
+  const std::string where = "meshes[0].primitives[0].indices: ";
+  maker.primitive()["indices"] = maker.add(std::vector<std::uint8_t>{0, 1, 255}, 5121, "SCALAR", 3);
+  CHECK(refusal(maker) == where + "255 restarts primitives, which glTF does not have");
+  maker.primitive()["indices"] = maker.add(std::vector<std::uint16_t>{0, 1, 65535}, 5123, "SCALAR", 3);
+  CHECK(refusal(maker) == where + "65535 restarts primitives, which glTF does not have");
+  maker.primitive()["indices"] = maker.add(std::vector<std::uint32_t>{0, 1, 4294967295}, 5125, "SCALAR", 3);
+  CHECK(refusal(maker) == where + "4294967295 restarts primitives, which glTF does not have");
+  maker.primitive()["indices"] = maker.add(std::vector<std::uint32_t>{0, 1, 65535}, 5125, "SCALAR", 3);
+  CHECK(import_glb(maker).meshes.at(0).positions.size() == 3);
+}
+
 TEST_CASE("corners that make no whole triangles") {
   GltfMaker maker = one_square();
   maker.primitive()["indices"] = maker.add(std::vector<std::uint8_t>{0, 1, 2, 3}, 5121, "SCALAR", 4);
@@ -161,6 +189,24 @@ TEST_CASE("a vertex between mirrored and unmirrored texture coordinates is split
   CHECK(at(1, 2) == Vector3f(0, 1, 0));
 }
 
+TEST_CASE("vertices that a file repeats for each triangle get the tangents of shared ones") {
+  GltfMaker maker = square_with_normal_map();
+  json& attributes = maker.primitive()["attributes"];
+  // Sheared coordinates: the two triangles' own tangents differ, the diagonal's vertices see both.
+  attributes["TEXCOORD_0"] = maker.add_floats({0, 1, 1, 1, 1, 0, 0.5f, 0.2f}, "VEC2");
+  const cps::Mesh shared = import_glb(maker).meshes.at(0);
+  attributes["POSITION"] = maker.add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
+  attributes["NORMAL"] = maker.add_floats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+  attributes["TEXCOORD_0"] = maker.add_floats({0, 1, 1, 1, 1, 0, 0, 1, 1, 0, 0.5f, 0.2f}, "VEC2");
+  maker.primitive().erase("indices");
+  const cps::Mesh repeated = import_glb(maker).meshes.at(0);
+  REQUIRE(repeated.tangents.size() == 6);
+  for (int t = 0; t < 2; ++t)
+    for (int c = 0; c < 3; ++c)
+      CHECK(repeated.tangents[3 * t + c].isApprox(shared.tangents[shared.triangles[t][c]]));
+  CHECK_FALSE(repeated.tangents[1].isApprox(repeated.tangents[5], 0.1f));
+}
+
 TEST_CASE("tangents around a cylinder are its circles' tangents") {
   GltfMaker maker = square_with_normal_map();
   constexpr int sides = 64;
@@ -198,6 +244,29 @@ TEST_CASE("tangents of the file are kept, broken ones made anew") {
   attributes["TANGENT"] = maker.add_floats({0, 1, 0, -1, 0, 0, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1}, "VEC4");
   CHECK(import_glb(maker, &warnings).meshes.at(0).tangents[0].isApprox(Vector4f(1, 0, 0, 1)));
   CHECK(warnings == std::vector<std::string>{"meshes[0].primitives[0].TANGENT: not valid, made anew"});
+}
+
+TEST_CASE("morph targets are applied with the weights at rest: the node's, else the mesh's") {
+  GltfMaker maker = one_triangle();
+  const int raise = maker.add_floats({0, 0, 1, 0, 0, 2, 0, 0, 3}, "VEC3");
+  const int widen = maker.add_floats({0, 0, 0, 5, 0, 0, 0, 0, 0}, "VEC3");
+  maker.primitive()["targets"] = {{{"POSITION", raise}}, {{"POSITION", widen}}};
+  CHECK(import_glb(maker).meshes.at(0).positions[2] == Vector3f(0, 1, 0));
+  maker.json["meshes"][0]["weights"] = {0.5, 0};
+  CHECK(import_glb(maker).meshes.at(0).positions ==
+        std::vector<Vector3f>{{0, 0, 0.5f}, {1, 0, 1}, {0, 1, 1.5f}});
+  maker.json["nodes"] = {
+      {{"mesh", 0}}, {{"mesh", 0}, {"weights", {0, 1}}}, {{"mesh", 0}, {"weights", {0.5, 0}}}};
+  maker.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
+  const cps::Scene scene = import_glb(maker);
+  REQUIRE(scene.meshes.size() == 2);
+  CHECK(scene.meshes[1].positions[1] == Vector3f(6, 0, 0));
+  CHECK(scene.instances[2].mesh == 0);
+  maker.json["nodes"][1]["weights"] = {0, 1e300};
+  CHECK(refusal(maker) == "meshes[0].primitives[0].POSITION: is not finite in the rest pose");
+  maker.json["nodes"][1]["weights"] = {0, 1};
+  maker.primitive()["targets"][1]["POSITION"] = 99;
+  CHECK(refusal(maker) == "meshes[0].primitives[0].targets[1].POSITION: accessor 99 does not exist");
 }
 
 TEST_CASE("vertex colours and the second set of texture coordinates") {

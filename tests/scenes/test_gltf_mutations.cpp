@@ -4,46 +4,11 @@
 #include "random/counter_hash.h"
 #include "scenes/gltf_import.h"
 #include "tests/scenes/gltf_maker.h"
+#include "tests/scenes/gltf_samples.h"
 
 using Bytes = std::vector<unsigned char>;
 
 namespace {
-
-/// Small valid files that between them use most of what the importer reads.
-std::vector<Bytes> valid_files() {
-  GltfMaker rich = one_square();
-  const int color = rich.add_texture(encode_image("png", 4, 4, 3, std::vector<std::uint8_t>(48, 90)));
-  const int normal = rich.add_texture(encode_image("jpeg", 8, 8, 3, std::vector<std::uint8_t>(192, 128)));
-  const std::uint16_t sparse_indices[] = {1};
-  const float sparse_values[] = {2, 0, 0};
-  const int index_view = rich.add_view(sparse_indices, sizeof sparse_indices);
-  const int value_view = rich.add_view(sparse_values, sizeof sparse_values);
-  rich.json["accessors"][0]["sparse"] = {{"count", 1},
-                                         {"indices", {{"bufferView", index_view}, {"componentType", 5123}}},
-                                         {"values", {{"bufferView", value_view}}}};
-  rich.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}};
-  rich.json["textures"][0]["sampler"] = 0;
-  rich.json["materials"][0] = {
-      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", color}}}, {"roughnessFactor", 0.5}}},
-      {"normalTexture",
-       {{"index", normal},
-        {"extensions", {{"KHR_texture_transform", {{"offset", {0, 1}}, {"rotation", 1.5}}}}}}},
-      {"alphaMode", "MASK"}};
-  rich.json["nodes"] = {{{"children", {1, 2}}, {"rotation", {0, 0, 0, 1}}},
-                        {{"mesh", 0}, {"scale", {-1, 1, 1}}},
-                        {{"mesh", 0}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1}}}};
-  rich.json["scenes"][0]["extras"]["cps_lanes"] = {
-      {{"street", "A"}, {"width_m", 3.5}, {"points", {{0, 0, 0}, {10, 0.5, -2}}}}};
-  GltfMaker strip = one_square();
-  strip.primitive()["mode"] = 5;
-  strip.primitive()["attributes"].erase("NORMAL");
-  const std::string text = strip.gltf();
-  GltfMaker repeated = one_triangle();
-  const int translations = repeated.add_floats({1, 0, 0, 2, 0, 0}, "VEC3");
-  repeated.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
-      translations;
-  return {rich.glb(), skinned_triangle().glb(), repeated.glb(), Bytes(text.begin(), text.end())};
-}
 
 /// A few bytes overwritten, flipped, removed, repeated, or the end cut off.
 Bytes mutated(const Bytes& original, cps::Stream stream) {
@@ -116,7 +81,7 @@ bool is_sound(const cps::Scene& scene) {
 }  // namespace
 
 TEST_CASE("5,000 mutated files are read soundly or refused in one line") {
-  const std::vector<Bytes> originals = valid_files();
+  const std::vector<Bytes> originals = gltf_samples();
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "mutated.glb";
   int imported = 0, refused = 0, faulty = 0;

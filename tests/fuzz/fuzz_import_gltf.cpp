@@ -1,0 +1,44 @@
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "renderer/geometry.h"
+#include "renderer/material.h"
+#include "scenes/gltf_import.h"
+#include "tests/fuzz/mutate_gltf.h"
+#include "tests/scenes/gltf_maker.h"
+
+namespace {
+
+constexpr std::size_t max_decoded_bytes = std::size_t{256} << 20;
+
+/// One line, that begins with the file's name and is short enough to read.
+bool is_good_refusal(const std::string& line, const std::string& file) {
+  return line.starts_with(file + ": ") && line.find('\n') == line.npos && line.size() < file.size() + 420;
+}
+
+}  // namespace
+
+/// Imports the bytes and makes the tracer's tables of what comes out: whatever the importer lets through, the
+/// renderer must take.
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const TemporaryFolder folder;
+  static const std::string file = (folder.path / "scene.glb").string();
+  write_file(file, data, size);
+  cps::Scene scene;
+  try {
+    scene = cps::import_gltf(file, nullptr, max_decoded_bytes);
+  } catch (const std::runtime_error& refusal) {
+    if (is_good_refusal(refusal.what(), file)) return 0;
+    std::fprintf(stderr, "refused with \"%s\"\n", refusal.what());
+    std::abort();
+  }
+  const cps::Materials materials = cps::make_materials(scene);
+  cps::place_geometry(scene, materials);
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t max_size,
+                                               unsigned int seed) {
+  return mutate_gltf(data, size, max_size, seed);
+}
