@@ -25,6 +25,9 @@ const std::vector<Verb>& verbs() {
       {"generate", "make a dataset from a recipe; picks up where it stopped", cps::cps_generate},
       {"verify", "check every file of a dataset against its labels", cps::cps_verify},
       {"contact-sheet", "a picture of a dataset: views through their lenses", cps::cps_contact_sheet},
+      {"lens", "limits of lenses; check a calibration; draw lenses", cps::cps_lens},
+      {"distort", "send pictures through a lens, with labels", cps::cps_distort},
+      {"undistort", "straighten pictures taken through a lens", cps::cps_undistort},
       {"train", "train a network on a dataset", train("train")},
       {"eval", "measure a trained network on a dataset", train("eval")},
       {"predict", "what a trained network says of images", train("predict")},
@@ -55,7 +58,8 @@ int run(Arguments arguments) {
   if (name == "help" || name == "--help" || name == "-h") {
     if (arguments.empty()) return usage(std::cout);
     name = arguments.front();
-    arguments = {"--help"};
+    arguments.erase(arguments.begin());
+    arguments.push_back("--help");
   }
   for (const Verb& verb : verbs())
     if (name == verb.name) return verb.run(arguments);

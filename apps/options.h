@@ -2,8 +2,11 @@
 
 #include <boost/program_options.hpp>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "sampler/key_options.h"
 
 namespace cps {
 
@@ -22,6 +25,29 @@ inline bool parse_options(const std::vector<std::string>& arguments, const std::
   if (values.count("help") == 0) return true;
   std::cout << usage << "\n" << visible;
   return false;
+}
+
+/// The text of a flag as a number, a size, or a list of them. Throws boost::program_options::error naming the
+/// flag.
+template <typename T>
+T flag_value(const std::string& flag, const std::string& text) {
+  T value{};
+  try {
+    parse_value(text, value);
+  } catch (const std::runtime_error& error) {
+    throw boost::program_options::error("--" + flag + " " + text + ": " + error.what());
+  }
+  return value;
+}
+
+/// read_keys() for flags: what cannot be read is wrong usage.
+template <typename ForEachKey>
+void read_key_flags(const boost::program_options::variables_map& values, ForEachKey&& for_each_key) {
+  try {
+    read_keys(values, for_each_key);
+  } catch (const std::runtime_error& error) {
+    throw boost::program_options::error(error.what());
+  }
 }
 
 }  // namespace cps

@@ -24,23 +24,30 @@ nlohmann::json read_json(const std::filesystem::path& file) {
   }
 }
 
-void write_file(const std::filesystem::path& file, std::span<const char> bytes) {
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
+void write_by_rename(const std::filesystem::path& file,
+                     const std::function<void(const std::filesystem::path& temporary)>& write) {
   const std::filesystem::path temporary = file.string() + "." + std::to_string(getpid()) + ".tmp";
-  const auto fail = [&](const char* cause) {
-    const std::string message = file.string() + ": cannot be written: " + cause;
-    std::filesystem::remove(temporary, error);
-    throw std::runtime_error(message);
-  };
-  if (error) fail(error.message().c_str());
-  errno = 0;
-  std::ofstream stream(temporary, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) fail(std::strerror(errno));
-  std::filesystem::rename(temporary, file, error);
-  if (error) fail(error.message().c_str());
+  try {
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    write(temporary);
+    std::filesystem::rename(temporary, file);
+  } catch (const std::exception& error) {
+    const auto* file_error = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    const std::string cause = file_error ? file_error->code().message() : error.what();
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw std::runtime_error(file.string() + ": cannot be written: " + cause);
+  }
+}
+
+void write_file(const std::filesystem::path& file, std::span<const char> bytes) {
+  write_by_rename(file, [&](const std::filesystem::path& temporary) {
+    errno = 0;
+    std::ofstream stream(temporary, std::ios::binary);
+    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.close();
+    if (!stream) throw std::runtime_error(std::strerror(errno));
+  });
 }
 
 void remove_temporaries(const std::filesystem::path& folder) {

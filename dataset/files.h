@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -18,6 +19,11 @@ nlohmann::json read_json(const std::filesystem::path& file);
 /// Writes to a temporary name beside `file`, then renames; makes the folders above it. Throws
 /// std::runtime_error naming file and cause and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::span<const char> bytes);
+
+/// The same for what can only be written to a named file: `write` gets the temporary name and throws when it
+/// fails.
+void write_by_rename(const std::filesystem::path& file,
+                     const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// Removes what write_file left half-written under temporary names in `folder` (not below it) when it was
 /// killed.

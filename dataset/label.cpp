@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dataset/camera_json.h"
 #include "dataset/json_keys.h"
 
 namespace cps {
@@ -11,14 +12,8 @@ namespace {
 /// K and fov are written with full precision, so they agree far better than this.
 constexpr double agreement = 1e-6;
 
-Pinhole read_camera(const JsonKeys& reader) {
-  const Eigen::MatrixXd k = reader.matrix("K", 3, 3);
-  const Pinhole camera{.width = reader.pixels("width"),
-                       .height = reader.pixels("height"),
-                       .fx = k(0, 0),
-                       .fy = k(1, 1),
-                       .cx = k(0, 2),
-                       .cy = k(1, 2)};
+/// What is written twice must agree.
+void check_camera(const Pinhole& camera, const JsonKeys& reader) {
   if (!(camera.fx > 0 && camera.fy > 0)) reader.fail("K", "focal lengths must be positive");
   const double focal_from_fov = camera.width / (2 * std::tan(radians(reader.number("fov")) / 2));
   if (!(std::abs(camera.fx - focal_from_fov) <= agreement * camera.fx))
@@ -27,15 +22,12 @@ Pinhole read_camera(const JsonKeys& reader) {
     reader.fail("cx", "contradicts K[0][2]");
   if (!(std::abs(reader.number("cy") - camera.cy) <= agreement * camera.height))
     reader.fail("cy", "contradicts K[1][2]");
-  return camera;
 }
 
 }  // namespace
 
 nlohmann::ordered_json to_json(const Label& label) {
   using Rows = std::vector<std::vector<double>>;
-  const Pinhole& camera = label.camera;
-  const Distortion& lens = label.distortion;
   nlohmann::ordered_json limits;
   for (std::size_t i = 0; i < lens_keys.size(); ++i) {
     limits[lens_keys[i]] = nullptr;
@@ -46,30 +38,22 @@ nlohmann::ordered_json to_json(const Label& label) {
     const Eigen::RowVector4d row = label.vehicle_from_camera.matrix().row(r);
     extrinsic.push_back({row[0], row[1], row[2], row[3]});
   }
-  return {{"schema", label_schema},
-          {"fov", degrees(hfov_rad(camera))},
-          {"K", Rows{{camera.fx, 0, camera.cx}, {0, camera.fy, camera.cy}, {0, 0, 1}}},
-          {"width", camera.width},
-          {"height", camera.height},
-          {"k1", lens.k1},
-          {"k2", lens.k2},
-          {"k3", lens.k3},
-          {"p1", lens.p1},
-          {"p2", lens.p2},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"fov_base_deg", label.fov_base_deg},
-          {"fov_true_deg",
-           {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
-          {"crop", {{"zoom", label.zoom}}},
-          {"certificate",
-           {{"min_eigenvalue", label.certificate_min_eigenvalue},
-            {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
-          {"limits", limits},
-          {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", extrinsic}}},
-          {"part", to_string(label.part)},
-          {"seed", label.seed},
-          {"generator", label.generator}};
+  nlohmann::ordered_json json = {{"schema", label_schema}};
+  json.update(camera_json(label.camera, label.distortion));
+  json.update(nlohmann::ordered_json{
+      {"fov_base_deg", label.fov_base_deg},
+      {"fov_true_deg",
+       {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
+      {"crop", {{"zoom", label.zoom}}},
+      {"certificate",
+       {{"min_eigenvalue", label.certificate_min_eigenvalue},
+        {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
+      {"limits", limits},
+      {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", extrinsic}}},
+      {"part", to_string(label.part)},
+      {"seed", label.seed},
+      {"generator", label.generator}});
+  return json;
 }
 
 Label label_from_json(const nlohmann::json& json, const std::string& file) {
@@ -78,12 +62,10 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
     reader.fail("schema",
                 "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
   Label label;
-  label.camera = read_camera(reader);
-  label.distortion = {.k1 = reader.number("k1"),
-                      .k2 = reader.number("k2"),
-                      .k3 = reader.number("k3"),
-                      .p1 = reader.number("p1"),
-                      .p2 = reader.number("p2")};
+  const CalibratedCamera calibrated = camera_from_json(reader);
+  check_camera(calibrated.camera, reader);
+  label.camera = calibrated.camera;
+  label.distortion = calibrated.distortion;
   label.fov_base_deg = reader.number("fov_base_deg");
   const JsonKeys true_angles = reader.object("fov_true_deg");
   label.fov_true_h_deg = true_angles.number("h");

@@ -14,16 +14,16 @@ namespace cps {
 enum class PlotStyle { line, dots };
 
 struct PlotSeries {
-  std::string name;  ///< for the legend; empty: not in it
+  std::string name = {};  ///< for the legend; empty: not in it
   PlotStyle style = PlotStyle::line;
-  std::vector<Eigen::Vector2d> points;  ///< not finite: a gap
+  std::vector<Eigen::Vector2d> points = {};  ///< not finite: a gap
 };
 
 /// One diagram. A range that is not given is that of the points.
 struct Plot {
   std::string title, x_label, y_label;
-  std::vector<PlotSeries> series;
-  std::optional<Interval> x_range, y_range;
+  std::vector<PlotSeries> series = {};
+  std::optional<Interval> x_range = {}, y_range = {};
 };
 
 /// The outline of a histogram: the density of the values in `bins` equal bins on `range`, relative to all

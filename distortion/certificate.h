@@ -15,6 +15,9 @@ struct CertificateOptions {
   bool is_valid(std::string* why) const;
 };
 
+/// Asks nothing of a lens but that it does not fold.
+inline constexpr CertificateOptions one_to_one{.min_eigenvalue = 1e-6, .max_eigenvalue = 1e6};
+
 /// Proof, or refutation, that a lens maps a rectangle one-to-one. Where the symmetric Jacobian is positive
 /// definite throughout a convex set the map is strictly monotone there, hence injective; the tangential terms
 /// are included.

@@ -53,14 +53,25 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
     if (reach < 1) outside *= step;
   }
   if (reach < 1) {
-    result.rectangle = scaled_box(shape, outside / step);
-    result.certificate = certify(lens, result.rectangle, options);
-    char line[128];
-    std::snprintf(line, sizeof line,
-                  "the lens cannot be certified on all of the frame, only %.2f %% of the way: ", 100 * reach);
-    return refused(result, line + certify(lens, scaled_box(shape, outside), options).why);
+    // The lens stops being certified between the last step and this one: perhaps after its frame is reached.
+    double certified = outside == first ? 0 : outside / step, refused_at = outside;
+    while (refused_at - certified > 1e-9 * refused_at) {
+      const double middle = 0.5 * (certified + refused_at);
+      (is_certified(lens, scaled_box(shape, middle), options) ? certified : refused_at) = middle;
+    }
+    reach = certified > 0 ? gauge_at(certified) : 0;
+    if (reach < 1) {
+      result.rectangle = scaled_box(shape, certified);
+      result.certificate = certify(lens, result.rectangle, options);
+      char line[128];
+      std::snprintf(
+          line, sizeof line,
+          "the lens cannot be certified on all of the frame, only %.2f %% of the way: ", 100 * reach);
+      return refused(result, line + certify(lens, scaled_box(shape, outside), options).why);
+    }
+    outside = certified;
   }
-  double inside = outside == first ? 0 : outside / step;
+  double inside = outside > first ? outside / step : 0;
   while (outside - inside > 1e-9 * outside) {
     const double middle = 0.5 * (inside + outside);
     (gauge_at(middle) >= 1 ? outside : inside) = middle;

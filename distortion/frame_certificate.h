@@ -13,7 +13,7 @@ namespace cps {
 struct FrameCertificate {
   Certificate certificate;  ///< on `rectangle`
   /// Of ideal points. Its image contains the whole frame; or, when there is no such rectangle, it is the
-  /// largest on which the lens is certified at all (to 2 %).
+  /// largest on which the lens is certified at all.
   Eigen::AlignedBox2d rectangle;
   std::string why;  ///< of a refusal, one line; empty when valid
   bool valid() const { return certificate.valid && why.empty(); }

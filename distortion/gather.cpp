@@ -80,6 +80,14 @@ PixelBounds pixel_bounds(const FootprintTile& tile, int index) {
           int(std::floor(y + height))};
 }
 
+bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height) {
+  const double x = tile.x[index], y = tile.y[index];
+  // Written so that NaN is outside; a far-off position must not reach the conversion to int.
+  if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;
+  const PixelBounds bounds = pixel_bounds(tile, index);
+  return bounds.x0 >= 0 && bounds.y0 >= 0 && bounds.x1 < width && bounds.y1 < height;
+}
+
 void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, const PixelBounds& bounds,
             float* pixel) {
   switch (patch.channels) {

@@ -31,6 +31,9 @@ struct PixelBounds {
 };
 PixelBounds pixel_bounds(const FootprintTile& tile, int index);
 
+/// Whether a source of this size holds the whole footprint. One whose ray misses the source has none.
+bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height);
+
 /// Gathers up to four channels of one output pixel: the kernel-weighted mean over its footprint. Unchecked:
 /// the bounds lie inside the patch and hold at least one pixel centre of the ellipse.
 void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, const PixelBounds& bounds,

@@ -27,7 +27,8 @@ double depth_at(const OIIO::ImageBuf& source, const Position& at, int channel) {
   const double a = inverse(left, top), b = inverse(right, top), c = inverse(left, bottom),
                d = inverse(right, bottom);
   const auto [least, most] = std::minmax({a, b, c, d});
-  if (!(most - least <= largest_relative_step * most)) return 1 / inverse(at.x, at.y);
+  // An infinite 1/z is a depth of 0: nothing was measured there.
+  if (!(most - least <= largest_relative_step * most) || std::isinf(most)) return 1 / inverse(at.x, at.y);
   const double fx = std::clamp(at.u - left, 0.0, 1.0), fy = std::clamp(at.v - top, 0.0, 1.0);
   return 1 / ((1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d));
 }

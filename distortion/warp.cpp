@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "distortion/certificate.h"
 #include "distortion/footprints.h"
 #include "distortion/frame_certificate.h"
 #include "distortion/gather.h"
@@ -21,9 +20,6 @@
 
 namespace cps {
 namespace {
-
-/// Any lens that does not fold; how strong it may be is the caller's business.
-constexpr CertificateOptions one_to_one{0.01, 100};
 
 /// Fills the tile's footprints for output pixels (x0, y0) … (x0+width−1, y0+height−1).
 using Footprints = std::function<void(int x0, int y0, int width, int height, FootprintTile& tile)>;
@@ -38,10 +34,6 @@ struct Worker {
   std::int64_t uncovered = 0, fallbacks = 0;
 };
 
-bool is_inside(const PixelBounds& b, const OIIO::ImageSpec& spec) {
-  return b.x0 >= 0 && b.y0 >= 0 && b.x1 < spec.width && b.y1 < spec.height;
-}
-
 /// Gathers one tile of the output whose footprints are known.
 void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, OIIO::ImageBuf& output) {
   const FootprintTile& tile = *worker.tile;
@@ -51,12 +43,12 @@ void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, O
     for (int column = 0; column < tile.width; ++column) {
       const int index = row * FootprintTile::side + column;
       PixelBounds& bounds = worker.bounds[index];
-      bounds = std::isnan(tile.x[index]) ? uncovered : pixel_bounds(tile, index);
-      if (!is_inside(bounds, source.spec())) {
+      if (!is_footprint_inside(tile, index, source.spec().width, source.spec().height)) {
         bounds = uncovered;
         ++worker.uncovered;
         continue;
       }
+      bounds = pixel_bounds(tile, index);
       worker.smallest_variance = std::min(worker.smallest_variance, double(tile.smaller_variance[index]));
       all = {std::min(all.x0, bounds.x0), std::min(all.y0, bounds.y0), std::max(all.x1, bounds.x1),
              std::max(all.y1, bounds.y1)};
@@ -101,11 +93,11 @@ void check_source(const OIIO::ImageBuf& source, const Pinhole& camera, const Pin
 Eigen::AlignedBox2d box_to_invert_on(const Distortion& lens, const Eigen::AlignedBox2d& master,
                                      const Pinhole& output, const Eigen::AlignedBox2d& callers_box) {
   if (callers_box.isEmpty()) {
-    const FrameCertificate seen = certify_frame(lens, output, master, one_to_one);
+    const FrameCertificate seen = certify_frame(lens, output, master, warpable);
     if (seen.valid() && master.contains(seen.rectangle)) return seen.rectangle;
   }
   const Eigen::AlignedBox2d& box = callers_box.isEmpty() ? master : callers_box;
-  if (const Certificate proof = certify(lens, box, one_to_one); !proof.valid)
+  if (const Certificate proof = certify(lens, box, warpable); !proof.valid)
     throw std::runtime_error("warp: " + proof.why);
   return box;
 }
@@ -213,7 +205,7 @@ OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, 
 OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const Distortion& lens,
                       const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
   check_source(source, camera, output, options);
-  const FrameCertificate proof = certify_frame(lens, camera, one_to_one);
+  const FrameCertificate proof = certify_frame(lens, camera, warpable);
   if (!proof.certificate.valid) throw std::runtime_error("unwarp: " + proof.why);
   const Footprints footprints = [&](int x0, int y0, int width, int height, FootprintTile& tile) {
     undistorting_footprints(lens, proof.rectangle, camera, output, options.kernel_sigma_px, x0, y0, width,

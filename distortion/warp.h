@@ -6,6 +6,7 @@
 #include <string>
 
 #include "distortion/brown_conrady.h"
+#include "distortion/certificate.h"
 #include "distortion/pinhole.h"
 
 namespace cps {
@@ -41,6 +42,10 @@ Pinhole master_camera(const Pinhole& base, const WarpOptions& options, double mi
 
 /// Largest zoom · eigenvalue up to which the master carries the kernel: CropOptions::max_magnification.
 double largest_magnification(const WarpOptions& options);
+
+/// Asked of a lens by warp() and unwarp(): where it shrinks or enlarges more, a pixel has no sensible
+/// footprint.
+inline constexpr CertificateOptions warpable{.min_eigenvalue = 0.01, .max_eigenvalue = 100};
 
 struct WarpSummary {
   double worst_residual_px = 0;         ///< of the inversion, pixels of the distorted image

@@ -5,7 +5,11 @@
 
 namespace cps {
 
-/// 8-bit sRGB → linear light (IEC 61966-2-1).
+/// sRGB (IEC 61966-2-1) → linear light and back, both with 1 for white.
+double linear_from_srgb(double encoded);
+double srgb_from_linear(double linear);
+
+/// 8-bit sRGB → linear light.
 const std::array<float, 256>& srgb_decode_table();
 
 /// 8-bit data → [0, 1].

@@ -2,6 +2,8 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <catch2/catch.hpp>
 #include <cstdio>
 #include <string>
 
@@ -21,6 +23,15 @@ inline ProgramRun run_cps(const std::string& arguments) {
   const int status = pclose(pipe);
   run.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return run;
+}
+
+/// Runs cps, which must say one line that contains `expected` and exit with `status`.
+inline void check_refused(const std::string& arguments, int status, const std::string& expected) {
+  const ProgramRun run = run_cps(arguments);
+  INFO("cps " << arguments << "\n" << run.output);
+  CHECK(run.exit_status == status);
+  CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+  CHECK_THAT(run.output, Catch::StartsWith("cps: ") && Catch::Contains(expected));
 }
 
 }  // namespace cps

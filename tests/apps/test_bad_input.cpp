@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "cps_program.h"
@@ -10,15 +9,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Runs cps, which must say one line that contains `expected` and exit with `status`.
-void check_refused(const std::string& arguments, int status, const std::string& expected) {
-  const ProgramRun run = run_cps(arguments);
-  INFO("cps " << arguments << "\n" << run.output);
-  CHECK(run.exit_status == status);
-  CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
-  CHECK_THAT(run.output, Catch::StartsWith("cps: ") && Catch::Contains(expected));
-}
-
 std::size_t files_in(const fs::path& folder) {
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) count += entry.is_regular_file();
@@ -29,7 +19,8 @@ std::size_t files_in(const fs::path& folder) {
 
 TEST_CASE("wrong usage exits 2 with one line") {
   check_refused("fly", 2, "'fly' is not a verb");
-  for (const char* verb : {"city", "render", "generate", "verify", "contact-sheet"})
+  for (const char* verb :
+       {"city", "render", "generate", "verify", "contact-sheet", "lens", "distort", "undistort"})
     check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
   check_refused("verify", 2, "dataset");
   check_refused("generate --out", 2, "out");
@@ -37,7 +28,8 @@ TEST_CASE("wrong usage exits 2 with one line") {
 
 TEST_CASE("help is printed for every verb and exits 0") {
   CHECK(run_cps("help").exit_status == 0);
-  for (const char* verb : {"city", "render", "generate", "verify", "contact-sheet"}) {
+  for (const char* verb :
+       {"city", "render", "generate", "verify", "contact-sheet", "lens", "distort", "undistort"}) {
     const ProgramRun run = run_cps("help " + std::string(verb));
     CHECK(run.exit_status == 0);
     CHECK_THAT(run.output, Catch::Contains("cps " + std::string(verb)));

@@ -12,6 +12,7 @@
 #include "distortion/inverse.h"
 #include "distortion/warp.h"
 #include "tests/distortion/analytic_scene.h"
+#include "tests/distortion/dense_rays.h"
 #include "tests/distortion/random_lens.h"
 
 using namespace cps;
@@ -34,24 +35,6 @@ AnalyticScene zone_plate(const Pinhole& base, double highest) {
 /// A black and white edge, 5° off the vertical, through the plane's point (x, 0).
 AnalyticScene slanted_edge(double x) {
   return [=](const Eigen::Vector2d& p) { return p.x() - x > 0.0875 * p.y() ? 0.9f : 0.1f; };
-}
-
-/// What the warp stands for: rays through a dense grid around each output pixel, weighted with the kernel.
-double reference_pixel(const AnalyticScene& scene, const Distortion& lens, const Eigen::AlignedBox2d& box,
-                       const Pinhole& output, double sigma_px, const Eigen::Vector2d& pixel, int steps) {
-  double sum = 0, weights = 0;
-  for (int j = 0; j < steps; ++j)
-    for (int i = 0; i < steps; ++i) {
-      const Eigen::Vector2d offset =
-          kernel_support * sigma_px * (Eigen::Vector2d(2 * i + 1, 2 * j + 1) / steps - Eigen::Vector2d(1, 1));
-      const double t = 1 - offset.squaredNorm() / (kernel_support * kernel_support * sigma_px * sigma_px);
-      if (t <= 0) continue;
-      const auto ideal = undistort(lens, box, to_plane(output, pixel + offset));
-      REQUIRE(ideal);
-      sum += t * t * t * scene(*ideal);
-      weights += t * t * t;
-    }
-  return sum / weights;
 }
 
 /// Peak signal-to-noise ratio against the reference on every `stride`-th pixel, dB.

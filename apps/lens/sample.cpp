@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/lens/verbs.h"
+#include "apps/options.h"
+#include "dataset/files.h"
+#include "dataset/plot.h"
+#include "sampler/key_options.h"
+#include "sampler/lens_draw.h"
+#include "sampler/lens_keys.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+/// One line of the table: every number under its name.
+nlohmann::ordered_json row_of(int number, const DrawnLens& lens, double base_hfov_deg) {
+  const Pinhole& camera = lens.crop.camera;
+  return {{"number", number},
+          {"k1", lens.distortion.k1},
+          {"k2", lens.distortion.k2},
+          {"k3", lens.distortion.k3},
+          {"p1", lens.distortion.p1},
+          {"p2", lens.distortion.p2},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"f", camera.fx},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"fov", degrees(hfov_rad(camera))},
+          {"fov_base_deg", base_hfov_deg},
+          {"zoom", lens.crop.zoom},
+          {"min_eigenvalue", lens.crop.certificate.min_eigenvalue}};
+}
+
+void print_csv(const nlohmann::ordered_json& rows) {
+  std::string heading;
+  for (const auto& [key, value] : rows.front().items()) heading += heading.empty() ? key : "," + key;
+  fmt::print("{}\n", heading);
+  for (const auto& row : rows) {
+    std::string line;
+    for (const auto& value : row) line += line.empty() ? value.dump() : "," + value.dump();
+    fmt::print("{}\n", line);
+  }
+}
+
+/// Where the draws lie: neighbouring coefficients, the principal point, and what the crop leaves.
+std::vector<Plot> sample_plots(const nlohmann::ordered_json& rows) {
+  const auto scatter = [&](const char* x, const char* y) {
+    PlotSeries dots{.style = PlotStyle::dots};
+    for (const auto& row : rows) dots.points.emplace_back(row[x].get<double>(), row[y].get<double>());
+    return Plot{.title = fmt::format("{} against {}", y, x), .x_label = x, .y_label = y, .series = {dots}};
+  };
+  return {scatter("k1", "k2"), scatter("k2", "k3"),  scatter("p1", "p2"),
+          scatter("cx", "cy"), scatter("k1", "fov"), scatter("zoom", "min_eigenvalue")};
+}
+
+}  // namespace
+
+int cps_lens_sample(const Arguments& arguments) {
+  int count = 0;
+  std::uint64_t seed = 0;
+  double hfov_deg = 0;
+  std::string size_text, plot_file;
+  po::options_description options("Options");
+  options.add_options()("count", po::value(&count)->required(), "how many lenses")(
+      "size", po::value(&size_text)->required(), "WIDTHxHEIGHT of the images")(
+      "hfov", po::value(&hfov_deg)->required(), "H-FOV of the base, before the crop, degrees")(
+      "seed", po::value(&seed)->default_value(seed), "the same seed draws the same lenses")(
+      "json", "instead of comma-separated values")("output,o", po::value(&plot_file), "a plot, .svg");
+  LensOptions lenses;
+  const auto for_each_key = [&](auto visit) { for_each_lens_key(lenses, visit); };
+  options.add(key_options("How they are drawn", for_each_key));
+  po::positional_options_description positional;
+  positional.add("count", 1);
+  po::variables_map values;
+  if (!parse_options(arguments,
+                     "cps lens sample N --size WxH --hfov DEG [--lens_draw SCHEME] [--seed S]\nLenses as cps "
+                     "generate draws them, with what is left after the crop.\n",
+                     options, positional, values))
+    return 0;
+  po::notify(values);
+  read_key_flags(values, for_each_key);
+  const auto size = flag_value<ImageSize>("size", size_text);
+  if (count < 1 || count > 1'000'000) throw po::error("N: must lie between 1 and 1000000");
+  if (!(size.width >= 32 && size.height >= 32 && size.width <= 8192 && size.height <= 8192))
+    throw po::error("--size: must lie between 32x32 and 8192x8192 pixels");
+  if (!(hfov_deg >= 5 && hfov_deg <= 165)) throw po::error("--hfov: must lie between 5 and 165 degrees");
+  if (std::string why; !lenses.is_valid(&why)) throw po::error(why);
+
+  const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
+  auto rows = nlohmann::ordered_json::array();
+  for (int number = 1; number <= count; ++number)
+    rows.push_back(
+        row_of(number, draw_lens(base, lenses, substream(make_stream(seed, "lens"), number)), hfov_deg));
+  if (!plot_file.empty()) write_file(plot_file, to_svg(sample_plots(rows), 3));
+  if (values.count("json"))
+    fmt::print("{}\n", rows.dump(1));
+  else
+    print_csv(rows);
+  return 0;
+}
+
+}  // namespace cps

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "apps/verbs.h"
+
+/// What `cps lens` can do, one file each; as in apps/verbs.h.
+namespace cps {
+
+int cps_lens_limits(const Arguments& arguments);
+int cps_lens_check(const Arguments& arguments);
+int cps_lens_sample(const Arguments& arguments);
+
+}  // namespace cps
