@@ -9,6 +9,7 @@ namespace cps {
 namespace {
 
 constexpr double most_open_edges = 0.1;
+constexpr double widest_opening = 0.6;
 
 /// Six times the signed volume that the triangles enclose with the vertices' mean: negative where fronts face
 /// it.
@@ -24,6 +25,20 @@ double signed_volume(const Mesh& mesh) {
     volume += corner(0).dot(corner(1).cross(corner(2)));
   }
   return volume;
+}
+
+/// The opening of a shell as a share of its surface: the sum of the area vectors, which is 0 where it closes.
+/// Half for a dome without a floor, and 1 for ground, however hollow.
+double opening(const Mesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const auto corner = [&](int i) -> Eigen::Vector3d { return mesh.positions[t[i]].cast<double>(); };
+    const Eigen::Vector3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    sum += normal;
+    area += normal.norm();
+  }
+  return area > 0 ? sum.norm() / area : 1;
 }
 
 /// For each vertex, the number of its position: vertices split for their normals or uv share one.
@@ -58,7 +73,7 @@ double open_edges(const Mesh& mesh) {
 
 bool is_inside_out(const Mesh& mesh) {
   if (mesh.triangles.empty() || signed_volume(mesh) >= 0) return false;
-  return open_edges(mesh) <= most_open_edges;
+  return opening(mesh) <= widest_opening && open_edges(mesh) <= most_open_edges;
 }
 
 }  // namespace cps

@@ -24,6 +24,11 @@ TEST_CASE("Only a nearly closed shell that faces inwards is inside out") {
   Mesh bowl = turned_inside_out(sphere(2, 0, 8));
   std::erase_if(bowl.triangles, [&](const Eigen::Vector3i& t) { return bowl.positions[t.x()].y() > 0.1f; });
   CHECK_FALSE(is_inside_out(bowl));
+  // However finely it is meshed, so that its rim hardly counts.
+  Mesh valley = turned_inside_out(sphere(2, 0, 200));
+  std::erase_if(valley.triangles,
+                [&](const Eigen::Vector3i& t) { return valley.positions[t.x()].y() > -1.0f; });
+  CHECK_FALSE(is_inside_out(valley));
 }
 
 // A drawn-looking model's outline hull left everything in it black.
