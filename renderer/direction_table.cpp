@@ -23,7 +23,8 @@ Step find_step(const float* cdf, int steps, float u) {
 }  // namespace
 
 float DirectionDistribution::pdf(const Vec3& direction) const {
-  const Eigen::Vector2f at = table_coordinates(direction);
+  if (empty()) return 0.0f;
+  const Eigen::Vector2f at = table_coordinates(direction, spacing);
   const int column = std::min(static_cast<int>(at.x() * static_cast<float>(columns)), columns - 1);
   const int row = std::min(static_cast<int>(at.y() * static_cast<float>(rows)), rows - 1);
   return density[row * columns + column];
@@ -32,18 +33,18 @@ float DirectionDistribution::pdf(const Vec3& direction) const {
 DirectionSample DirectionDistribution::sample(const Eigen::Vector2f& u) const {
   const Step row = find_step(row_cdf.data(), rows, u.y());
   const Step column = find_step(&column_cdf[row.index * (columns + 1)], columns, u.x());
-  const float low = elevation_sine_of_row(static_cast<float>(row.index) / static_cast<float>(rows));
-  const float high = elevation_sine_of_row(static_cast<float>(row.index + 1) / static_cast<float>(rows));
+  const float low = elevation_sine_of_row(static_cast<float>(row.index) / static_cast<float>(rows), spacing);
+  const float high =
+      elevation_sine_of_row(static_cast<float>(row.index + 1) / static_cast<float>(rows), spacing);
   const float turns = (static_cast<float>(column.index) + column.fraction) / static_cast<float>(columns);
   return {direction_at(turns, low + row.fraction * (high - low)),
           density[row.index * columns + column.index]};
 }
 
-DirectionDistribution make_direction_distribution(int columns, int rows, const std::vector<float>& weights) {
-  DirectionDistribution result{columns, rows, weights, {}, {}};
-  if (std::all_of(weights.begin(), weights.end(), [](float w) { return w == 0.0f; })) {
-    std::fill(result.density.begin(), result.density.end(), 1.0f);
-  }
+DirectionDistribution make_direction_distribution(int columns, int rows, Rows spacing,
+                                                  const std::vector<float>& weights) {
+  if (std::all_of(weights.begin(), weights.end(), [](float w) { return w == 0.0f; })) return {};
+  DirectionDistribution result{columns, rows, spacing, weights, {}, {}};
   const auto accumulate = [](const std::vector<double>& masses, std::vector<float>& cdf) {
     double total = 0, sum = 0;
     for (double mass : masses) total += mass;
@@ -57,8 +58,9 @@ DirectionDistribution make_direction_distribution(int columns, int rows, const s
   };
   std::vector<double> row_masses;
   for (int row = 0; row < rows; ++row) {
-    const double low = elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(rows));
-    const double high = elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(rows));
+    const double low = elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(rows), spacing);
+    const double high =
+        elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(rows), spacing);
     const double cell_sr = (high - low) * 2.0 * std::numbers::pi / columns;
     std::vector<double> masses;
     for (int column = 0; column < columns; ++column)

@@ -42,10 +42,10 @@ void check_mesh(const Scene& scene, const Mesh& mesh) {
     fail("every vertex attribute must be finite");
   }
   const Material& material = scene.materials[mesh.material];
-  if (material.normal_texture.texture >= 0 && mesh.tangents.empty())
-    fail("its material has a normal map, so it needs tangents");
-  for (const TextureSlot* slot : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                  &material.normal_texture, &material.emissive_texture}) {
+  const bool has_normal_map =
+      material.normal_texture.texture >= 0 || material.clearcoat_normal_texture.texture >= 0;
+  if (has_normal_map && mesh.tangents.empty()) fail("its material has a normal map, so it needs tangents");
+  for (const TextureSlot* slot : texture_slots(material)) {
     if (slot->texture >= 0 && slot->uv_set == 1 && mesh.uv1.empty())
       fail("its material reads uv1, which it does not have");
   }
@@ -88,6 +88,27 @@ Geometry make_geometry(const Mesh& mesh, const Eigen::Affine3f& transform, const
 
 }  // namespace
 
+Eigen::Array4f Geometry::base_color(std::uint32_t triangle, float u, float v,
+                                    const TextureFootprint& at) const {
+  Eigen::Array4f color = material->base_color * material->base_color_texture.sample(at);
+  if (!colors.empty()) {
+    const Eigen::Vector3i& corner = triangles[triangle];
+    const auto color_of = [&](int i) -> Eigen::Array4f { return colors[i].cast<float>(); };
+    color *= interpolate(color_of(corner.x()), color_of(corner.y()), color_of(corner.z()), u, v);
+  }
+  return color;
+}
+
+TextureFootprint Geometry::in_full_detail(std::uint32_t triangle, float u, float v) const {
+  constexpr float log2_of_a_point = -100.0f;
+  const Eigen::Vector3i& corner = triangles[triangle];
+  const auto uv_of = [&](int i) { return vertices[i].uv; };
+  const Eigen::Vector2f uv0 = interpolate(uv_of(corner.x()), uv_of(corner.y()), uv_of(corner.z()), u, v);
+  const Eigen::Vector2f second =
+      uv1.empty() ? uv0 : interpolate(uv1[corner.x()], uv1[corner.y()], uv1[corner.z()], u, v);
+  return {{uv0, second}, {log2_of_a_point, log2_of_a_point}};
+}
+
 float Geometry::alpha(std::uint32_t triangle, float u, float v) const {
   const Eigen::Vector3i& corner = triangles[triangle];
   const TextureLookup& lookup = material->base_color_texture;
@@ -102,6 +123,27 @@ float Geometry::alpha(std::uint32_t triangle, float u, float v) const {
     alpha *= interpolate(alpha_of(corner.x()), alpha_of(corner.y()), alpha_of(corner.z()), u, v);
   }
   return alpha;
+}
+
+WorldTriangle world_triangle(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle) {
+  const Placement& place = placed.placements[placement];
+  const Geometry& geometry = placed.geometries[place.geometry];
+  WorldTriangle t{geometry, place, geometry.triangles[triangle], {}, {}};
+  for (int i = 0; i < 3; ++i) t.positions[i] = geometry.vertices[t.corner[i]].position;
+  if (place.shared) {
+    for (Vec3& position : t.positions) position = place.world_from_mesh * position;
+  }
+  t.normal = (t.positions[1] - t.positions[0]).cross(t.positions[2] - t.positions[0]);
+  if (place.shared && place.mirrored) t.normal = -t.normal;
+  return t;
+}
+
+float rounding_of(const WorldTriangle& triangle) {
+  // Coordinates are exact to 2^-24 of the largest one: a few roundings happen in transforms, interpolation
+  // and Embree.
+  float largest = 0.0f;
+  for (const Vec3& position : triangle.positions) largest = std::max(largest, position.cwiseAbs().maxCoeff());
+  return 1e-6f * largest + 1e-6f;
 }
 
 PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {

@@ -20,6 +20,12 @@ struct Geometry {
   const SurfaceMaterial* material = nullptr;
   bool viewer_only = false;  ///< an inside-out shell: light passes, see inside_out.h
 
+  /// Base colour with texture and vertex colours, and its alpha, where barycentric (u, v) hits a triangle.
+  Eigen::Array4f base_color(std::uint32_t triangle, float u, float v, const TextureFootprint& at) const;
+
+  /// The texture coordinates there, for lookups on the full image.
+  TextureFootprint in_full_detail(std::uint32_t triangle, float u, float v) const;
+
   /// Base colour's alpha where barycentric (u, v) hits a triangle, on the full image.
   float alpha(std::uint32_t triangle, float u, float v) const;
 };
@@ -38,6 +44,20 @@ struct PlacedGeometry {
   std::vector<Geometry> geometries;
   std::vector<Placement> placements;
 };
+
+/// A triangle in the world.
+struct WorldTriangle {
+  const Geometry& geometry;
+  const Placement& placement;
+  Eigen::Vector3i corner;
+  Vec3 positions[3];
+  Vec3 normal;  ///< of the front face, by winding; twice the area long
+};
+
+WorldTriangle world_triangle(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle);
+
+/// Metres by which a point on it may be off through rounding.
+float rounding_of(const WorldTriangle& triangle);
 
 /// Flattens meshes that are placed once, or are so small that copies trace faster than instances, into world
 /// coordinates; shares the others. Throws std::runtime_error where an index or a number in the scene is off.

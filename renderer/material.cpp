@@ -23,8 +23,7 @@ void check_material(const Scene& scene, const Material& material) {
   const auto fail = [&](const std::string& what) {
     throw std::runtime_error("material '" + material.name + "': " + what);
   };
-  for (const TextureSlot* slot : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                  &material.normal_texture, &material.emissive_texture}) {
+  for (const TextureSlot* slot : texture_slots(material)) {
     if (slot->texture >= static_cast<int>(scene.textures.size()))
       fail("names a texture that the scene does not have");
     if (slot->texture >= 0 && (slot->uv_set < 0 || slot->uv_set > 1))
@@ -39,6 +38,23 @@ void check_material(const Scene& scene, const Material& material) {
   if (!(material.roughness >= 0 && material.roughness <= 1)) fail("roughness must lie in [0, 1]");
   if (!std::isfinite(material.normal_scale) || !std::isfinite(material.alpha_cutoff))
     fail("factors must be finite");
+  if (!(material.ior == 0 || (material.ior >= 1 && std::isfinite(material.ior))))
+    fail("ior must be 0 or at least 1");
+  for (const float share :
+       {material.specular, material.clearcoat, material.clearcoat_roughness, material.transmission}) {
+    if (!(share >= 0 && share <= 1)) fail("specular, clearcoat and transmission must lie in [0, 1]");
+  }
+  if (!(material.specular_color.array() >= 0).all() || !material.specular_color.allFinite() ||
+      !std::isfinite(material.clearcoat_normal_scale)) {
+    fail("specular color and clearcoat normal scale must be finite, the color >= 0");
+  }
+}
+
+/// Reflectance at normal incidence against air (KHR_materials_ior).
+float f0_of_ior(float ior) {
+  if (ior == 0.0f) return 1.0f;
+  const float root = (ior - 1.0f) / (ior + 1.0f);
+  return root * root;
 }
 
 TextureLookup make_lookup(const TextureSlot& slot, const MipTexture* texture) {
@@ -57,7 +73,39 @@ TextureLookup make_lookup(const TextureSlot& slot, const MipTexture* texture) {
 
 }  // namespace
 
-Materials make_materials(const Scene& scene) {
+BsdfParameters bsdf_parameters(const SurfaceMaterial& material, const Color& base_color,
+                               const TextureFootprint& at) {
+  BsdfParameters p;
+  // What reflects more than arrives would brighten with every bounce.
+  p.base_color = base_color.min(1.0f);
+  p.metallic = material.metallic;
+  p.roughness = material.roughness;
+  if (material.metallic_roughness_texture.texture) {
+    const Eigen::Array4f texel = material.metallic_roughness_texture.sample(at);
+    p.roughness *= texel.y();
+    p.metallic *= texel.z();
+  }
+  Color specular_color = material.specular_color;
+  p.dielectric_f90 = material.specular;
+  if (material.specular_color_texture.texture)
+    specular_color *= material.specular_color_texture.sample(at).head<3>();
+  if (material.specular_texture.texture) p.dielectric_f90 *= material.specular_texture.sample(at).w();
+  p.dielectric_f0 = (material.dielectric_f0 * specular_color).min(1.0f) * p.dielectric_f90;
+  if (material.clearcoat > 0.0f) {
+    p.clearcoat = material.clearcoat;
+    p.clearcoat_roughness = material.clearcoat_roughness;
+    if (material.clearcoat_texture.texture) p.clearcoat *= material.clearcoat_texture.sample(at).x();
+    if (material.clearcoat_roughness_texture.texture)
+      p.clearcoat_roughness *= material.clearcoat_roughness_texture.sample(at).y();
+  }
+  if (material.transmits) {
+    p.transmission = material.transmission;
+    if (material.transmission_texture.texture) p.transmission *= material.transmission_texture.sample(at).x();
+  }
+  return p;
+}
+
+Materials make_materials(const Scene& scene, float unlit_white) {
   for (const Texture& texture : scene.textures) check_texture(texture);
   for (const Material& material : scene.materials) check_material(scene, material);
 
@@ -71,10 +119,10 @@ Materials make_materials(const Scene& scene) {
     if (is_new) keys.push_back(entry->first);
   };
   for (const Material& material : scene.materials) {
-    request(material.base_color_texture, material.alpha_mode != AlphaMode::opaque);
-    request(material.metallic_roughness_texture, false);
-    request(material.normal_texture, false);
-    request(material.emissive_texture, false);
+    for (const TextureSlot* slot : texture_slots(material)) {
+      const bool is_base_color = slot == &material.base_color_texture;
+      request(*slot, is_base_color && material.alpha_mode != AlphaMode::opaque);
+    }
   }
   Materials result;
   result.textures.resize(keys.size());
@@ -108,6 +156,22 @@ Materials make_materials(const Scene& scene) {
     }
     surface.double_sided = material.double_sided;
     surface.emits = (material.emissive.array() > 0).any();
+    surface.transmits = material.transmission > 0 && material.metallic < 1 && !material.unlit;
+    surface.unlit = material.unlit;
+    surface.unlit_radiance = unlit_white;
+    surface.dielectric_f0 = f0_of_ior(material.ior);
+    surface.specular = material.specular;
+    surface.specular_color = material.specular_color.array();
+    surface.specular_texture = lookup(material.specular_texture, false);
+    surface.specular_color_texture = lookup(material.specular_color_texture, false);
+    surface.clearcoat = material.clearcoat;
+    surface.clearcoat_roughness = material.clearcoat_roughness;
+    surface.clearcoat_normal_scale = material.clearcoat_normal_scale;
+    surface.clearcoat_texture = lookup(material.clearcoat_texture, false);
+    surface.clearcoat_roughness_texture = lookup(material.clearcoat_roughness_texture, false);
+    surface.clearcoat_normal_texture = lookup(material.clearcoat_normal_texture, false);
+    surface.transmission = material.transmission;
+    surface.transmission_texture = lookup(material.transmission_texture, false);
     result.surfaces.push_back(std::move(surface));
   }
   return result;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/alpha_mask.h"
+#include "renderer/bsdf.h"
 #include "renderer/mip_texture.h"
 #include "scenes/scene.h"
 
@@ -31,7 +32,7 @@ struct TextureLookup {
   }
 };
 
-/// glTF's material, ready for lookups.
+/// glTF's material, ready for lookups. What most materials lack stands last.
 struct SurfaceMaterial {
   Eigen::Array4f base_color;
   float metallic, roughness;
@@ -43,7 +44,24 @@ struct SurfaceMaterial {
   AlphaMask mask;  ///< of the base colour's alpha alone; texture is null where there is none
   bool double_sided;
   bool emits;
+  bool transmits;        ///< light passes straight through some of it
+  bool unlit;            ///< shows its base colour, and takes no light
+  float unlit_radiance;  ///< of white, kcd/m²
+
+  float dielectric_f0;  ///< by its index of refraction
+  float specular;
+  Color specular_color;
+  TextureLookup specular_texture, specular_color_texture;
+  float clearcoat, clearcoat_roughness, clearcoat_normal_scale;
+  TextureLookup clearcoat_texture, clearcoat_roughness_texture, clearcoat_normal_texture;
+  float transmission;
+  TextureLookup transmission_texture;
 };
+
+/// What the BSDF is made of, where a surface of this base colour (textures and vertex colours included) is
+/// seen through `at`. The coat's normal and what passes straight are left to the caller.
+BsdfParameters bsdf_parameters(const SurfaceMaterial& material, const Color& base_color,
+                               const TextureFootprint& at);
 
 struct Materials {
   std::deque<MipTexture> textures;
@@ -51,7 +69,7 @@ struct Materials {
 };
 
 /// Builds the mip pyramids and resolves the scene's materials. Throws std::runtime_error where an index, a
-/// size or a number in the scene is off.
-Materials make_materials(const Scene& scene);
+/// size or a number in the scene is off. White of unlit materials has the radiance `unlit_white`.
+Materials make_materials(const Scene& scene, float unlit_white);
 
 }  // namespace cps

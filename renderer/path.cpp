@@ -9,7 +9,15 @@ namespace cps {
 namespace {
 
 /// Pairs of random numbers that a vertex draws.
-enum VertexPair : std::uint32_t { pair_sun, pair_sky, pair_bsdf, pair_lobe_and_roulette, pairs_per_vertex };
+enum VertexPair : std::uint32_t {
+  pair_sun,
+  pair_sky,
+  pair_bsdf,
+  pair_lobe_and_roulette,
+  pair_lamp,
+  pair_which_lamp,
+  pairs_per_vertex
+};
 
 /// Angle by which a bounce widens the footprint for texture lookups: about a quarter of the lobe's width.
 /// What a wide lobe sees is averaged anyway, so only the cost of fine mip levels is at stake.
@@ -44,15 +52,25 @@ Color light_from_beyond(const RenderScene& scene, const Path& path) {
   return light;
 }
 
+/// What a surface that shines adds to the path, weighed against next-event estimation at its last vertex.
+Color light_from_lamp(const RenderScene& scene, const Path& path, const Hit& hit, const Surface& surface) {
+  if ((surface.emission == 0.0f).all()) return Color::Zero();
+  const float pdf = std::isinf(path.pdf)
+                        ? 0.0f
+                        : scene.lamps.pdf(scene.placed, path.vertex_position, path.vertex_normal,
+                                          hit.placement, hit.triangle, surface.position);
+  return surface.emission * mis_weight(path.pdf, pdf);
+}
+
 /// The light that a vertex would get from `direction`, drawn from a lamp with density `pdf`.
 ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf,
-                     const Color& radiance) {
+                     const Color& light_over_pdf) {
   ShadowRay shadow;
   if (surface.geometric_normal.dot(direction) <= 0.0f) return shadow;
   const BsdfValue bsdf = evaluate_bsdf(surface.bsdf, surface.wo, surface.shading.to_local(direction));
   if (bsdf.pdf <= 0.0f) return shadow;
   shadow.ray = surface.leave(direction);
-  shadow.contribution = path.throughput * bsdf.f_cos * radiance * (mis_weight(pdf, bsdf.pdf) / pdf);
+  shadow.contribution = path.throughput * bsdf.f_cos * light_over_pdf * mis_weight(pdf, bsdf.pdf);
   shadow.wanted = true;
   return shadow;
 }
@@ -60,21 +78,75 @@ ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direc
 ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface,
                       const Eigen::Vector2f& u) {
   if (!scene.sun.shines()) return {};
-  return shadow_ray(path, surface, scene.sun.sample(u), scene.sun.pdf, scene.sun.radiance);
+  return shadow_ray(path, surface, scene.sun.sample(u), scene.sun.pdf, scene.sun.radiance / scene.sun.pdf);
 }
 
 ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface,
                       const Eigen::Vector2f& u) {
+  if (scene.sky.distribution.empty()) return {};
   const DirectionSample sample = scene.sky.distribution.sample(u);
   if (surface.geometric_normal.dot(sample.direction) <= 0.0f) return {};
-  return shadow_ray(path, surface, sample.direction, sample.pdf, scene.sky.radiance(sample.direction));
+  return shadow_ray(path, surface, sample.direction, sample.pdf,
+                    scene.sky.radiance(sample.direction) / sample.pdf);
 }
 
-/// Sends the path on in a direction of the BSDF's choice, or ends it.
-void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first_pair) {
+ShadowRay towards_lamp(const Path& path, const Surface& surface, const LampSample& sample) {
+  if (!(sample.pdf > 0.0f)) return {};
+  ShadowRay shadow = shadow_ray(path, surface, sample.direction, sample.pdf, sample.light_over_pdf);
+  shadow.ray.t_far = sample.distance - surface.clearance;
+  shadow.wanted = shadow.wanted && shadow.ray.t_far > 0.0f;
+  return shadow;
+}
+
+/// The lamps of the scene: one of those that stand somewhere, and one of those that shine from afar.
+void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface, std::uint32_t first_pair,
+                  std::uint64_t& rays) {
+  const auto gather = [&](const LampSample& sample) {
+    const ShadowRay shadow = towards_lamp(path, surface, sample);
+    if (!shadow.wanted) return;
+    ++rays;
+    path.radiance += scene.bvh.transmittance(shadow.ray) * shadow.contribution;
+  };
+  const Eigen::Vector2f which = path.sampler.pair(first_pair + pair_which_lamp);
+  if (!scene.lamps.tree.empty()) {
+    gather(scene.lamps.sample(scene.placed, surface.position, surface.geometric_normal, which.x(),
+                              path.sampler.pair(first_pair + pair_lamp)));
+  }
+  if (!scene.lamps.directions.empty()) gather(scene.lamps.sample_direction(which.y()));
+}
+
+/// The path's cone after a lobe of this width, and the roughness that it leaves to what comes.
+void widen(Path& path, float lobe, float least_roughness) {
+  path.cone_spread += diffuse_spread * lobe;
+  path.least_roughness = std::max(path.least_roughness, least_roughness);
+}
+
+/// Whether a surface has light for a path that shall be shaded no more: its own, or what it lets through.
+bool gives_light(const RenderScene& scene, const Hit& hit) {
+  const SurfaceMaterial& material =
+      *scene.placed.geometries[scene.placed.placements[hit.placement].geometry].material;
+  return material.emits || material.unlit || material.transmits;
+}
+
+/// After its last shaded vertex a path only goes on straight.
+void pass_straight(Path& path, const Surface& surface) {
+  path.throughput *= surface.bsdf.straight;
+  path.ray = surface.pass(path.ray);
+  path.alive = (path.throughput > 0.0f).any();
+}
+
+/// Sends the path on in a direction of the BSDF's choice, or straight through glass, or ends it. What passes
+/// glass goes on as if nothing had been there: shadow rays pass it too, so the density with which the last
+/// vertex drew the direction still holds.
+void scatter(Path& path, const Surface& surface, std::uint32_t first_pair) {
   const Eigen::Vector2f lobe_and_roulette = path.sampler.pair(first_pair + pair_lobe_and_roulette);
   const BsdfSample sample =
       sample_bsdf(surface.bsdf, surface.wo, lobe_and_roulette.x(), path.sampler.pair(first_pair + pair_bsdf));
+  if (sample.kind == BsdfSample::Kind::straight) {
+    path.throughput *= sample.weight;
+    path.ray = surface.pass(path.ray);
+    return;
+  }
   const Vec3 direction = surface.shading.to_world(sample.wi);
   path.alive = sample.pdf > 0.0f && surface.geometric_normal.dot(direction) > 0.0f;
   if (!path.alive) return;
@@ -83,7 +155,7 @@ void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first
   // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the
   // sun).
   const float survival = std::min(1.0f, std::sqrt(path.throughput.maxCoeff()));
-  if (vertex > 0 && survival < 1.0f) {
+  if (path.shaded_vertices > 0 && survival < 1.0f) {
     path.alive = lobe_and_roulette.y() < survival;
     if (!path.alive) return;
     path.throughput /= survival;
@@ -91,9 +163,17 @@ void scatter(Path& path, const Surface& surface, int vertex, std::uint32_t first
 
   path.ray = surface.leave(direction);
   path.pdf = sample.pdf;
-  path.cone_spread += sample.specular ? diffuse_spread * surface.bsdf.alpha : diffuse_spread;
-  path.least_roughness = std::max(path.least_roughness,
-                                  sample.specular ? 0.5f * surface.bsdf.roughness : roughness_after_diffuse);
+  path.vertex_position = surface.position;
+  path.vertex_normal = surface.geometric_normal;
+  ++path.shaded_vertices;
+  switch (sample.kind) {
+    case BsdfSample::Kind::layer:
+      return widen(path, surface.bsdf.alpha, 0.5f * surface.bsdf.roughness);
+    case BsdfSample::Kind::coat:
+      return widen(path, surface.bsdf.coat.alpha, 0.5f * surface.bsdf.coat.roughness);
+    default:
+      return widen(path, 1.0f, roughness_after_diffuse);
+  }
 }
 
 /// The nearest surface that shows. glTF hides the backs of single-sided materials from the viewer; light
@@ -120,13 +200,14 @@ void intersect_all(const RenderScene& scene, const Path (&paths)[packet_size], b
   for (int i = 0; i < packet_size; ++i) {
     if (!paths[i].alive) continue;
     ++rays;
-    hits[i] = first ? first_visible(scene, paths[i], hits[i], rays) : scene.bvh.intersect(paths[i].ray);
+    if (!first) hits[i] = scene.bvh.intersect(paths[i].ray);
+    if (paths[i].ray.from_viewer) hits[i] = first_visible(scene, paths[i], hits[i], rays);
   }
 }
 
 void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size], bool coherent,
                 Path (&paths)[packet_size], std::uint64_t& rays) {
-  float transmittance[packet_size];
+  Color transmittance[packet_size];
   if (coherent) {
     Ray lanes[packet_size];
     bool active[packet_size];
@@ -137,7 +218,7 @@ void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size
     if (!shadows[i].wanted) continue;
     ++rays;
     if (!coherent) transmittance[i] = scene.bvh.transmittance(shadows[i].ray);
-    if (transmittance[i] > 0.0f) paths[i].radiance += transmittance[i] * shadows[i].contribution;
+    paths[i].radiance += transmittance[i] * shadows[i].contribution;
   }
 }
 
@@ -145,13 +226,13 @@ void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size
 
 std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
   std::uint64_t rays = 0;
+  const bool has_lamps = !scene.lamps.tree.empty() || !scene.lamps.directions.empty();
   const auto any_alive = [&] {
     return std::any_of(std::begin(paths), std::end(paths), [](const Path& p) { return p.alive; });
   };
-  for (int vertex = 0; any_alive(); ++vertex) {
-    const bool first = vertex == 0;
-    const std::uint32_t first_pair =
-        pair_first_vertex + pairs_per_vertex * static_cast<std::uint32_t>(vertex);
+  for (std::uint32_t step = 0; any_alive(); ++step) {
+    const bool first = step == 0;
+    const std::uint32_t first_pair = pair_first_vertex + pairs_per_vertex * step;
     Hit hits[packet_size];
     intersect_all(scene, paths, first, hits, rays);
 
@@ -164,17 +245,27 @@ std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Pat
         path.alive = false;
         continue;
       }
-      if (vertex == max_shaded_vertices) {
+      const bool is_last = path.shaded_vertices == max_shaded_vertices;
+      if (is_last && !gives_light(scene, hits[i])) {
         path.alive = false;
         continue;
       }
       path.cone_width += path.cone_spread * hits[i].t;
       const Surface surface =
           make_surface(scene.placed, path.ray, hits[i], path.cone_width, path.least_roughness);
-      path.radiance += path.throughput * surface.emission;
+      path.radiance += path.throughput * light_from_lamp(scene, path, hits[i], surface);
+      if (!surface.scatters) {
+        path.alive = false;
+        continue;
+      }
+      if (is_last) {
+        pass_straight(path, surface);
+        continue;
+      }
       sun_rays[i] = towards_sun(scene, path, surface, path.sampler.pair(first_pair + pair_sun));
       sky_rays[i] = towards_sky(scene, path, surface, path.sampler.pair(first_pair + pair_sky));
-      scatter(path, surface, vertex, first_pair);
+      if (has_lamps) gather_lamps(scene, path, surface, first_pair, rays);
+      scatter(path, surface, first_pair);
     }
     gather_all(scene, sun_rays, first, paths, rays);
     gather_all(scene, sky_rays, false, paths, rays);

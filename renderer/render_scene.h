@@ -1,9 +1,10 @@
 #pragma once
 
 #include "renderer/geometry.h"
+#include "renderer/lamps.h"
 #include "renderer/material.h"
 #include "renderer/render.h"
-#include "renderer/sky.h"
+#include "renderer/sky_models.h"
 #include "renderer/trace.h"
 
 namespace cps {
@@ -15,6 +16,7 @@ struct RenderScene {
   Materials materials;
   PlacedGeometry placed;
   Bvh bvh;
+  Lamps lamps;
   Sky sky;
   Sun sun;
 };

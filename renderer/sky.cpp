@@ -6,75 +6,43 @@
 #include <cmath>
 #include <numbers>
 
-#include "distortion/pinhole.h"
-#include "renderer/atmosphere.h"
-#include "renderer/frame.h"
-
 namespace cps {
 namespace {
 
-constexpr int sky_columns = 256, sky_rows = 128;
-constexpr int distribution_columns = 64, distribution_rows = 64;
-constexpr float plain_albedo = 0.2f;  // of the country around the scene
-constexpr float plain_depth_m =
-    60.0f;  // how far the eye seems above it, which sets how soon haze swallows it
+constexpr float pi = std::numbers::pi_v<float>;
 
-/// Direction of the middle of a cell.
-Vec3 cell_direction(const Sky& sky, int column, int row) {
-  return direction_at((static_cast<float>(column) + 0.5f) / static_cast<float>(sky.columns),
-                      elevation_sine_of_row((static_cast<float>(row) + 0.5f) / static_cast<float>(sky.rows)));
+float sine_of_row_border(const Sky& sky, int row) {
+  return elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(sky.rows), sky.spacing);
 }
 
-Sky empty_sky(int columns, int rows) {
-  return {columns,
-          rows,
-          std::vector<Eigen::Array4f>(static_cast<std::size_t>(columns) * rows, Eigen::Array4f::Zero()),
-          {}};
-}
-
-void set_cell(Sky& sky, int column, int row, const Color& radiance) {
-  sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column] << radiance, 0.0f;
-}
-
-/// Importance by the mean luminance of every cell.
-DirectionDistribution distribution_of(const Sky& sky) {
-  std::vector<float> weights;
-  constexpr int points = 4;
-  for (int row = 0; row < distribution_rows; ++row) {
-    for (int column = 0; column < distribution_columns; ++column) {
+/// Mean luminance of the distribution's cells: all of what the table's interpolation makes of its numbers, so
+/// that no bright spot lies where hardly anything is drawn.
+std::vector<float> mean_luminance(const Sky& sky, int columns, int rows) {
+  std::vector<float> means(static_cast<std::size_t>(columns) * rows);
+  const auto points_for = [](int table, int cells) { return std::max(4, 2 * ((table + cells - 1) / cells)); };
+  const int across = points_for(sky.columns, columns), down = points_for(sky.rows, rows);
+  tbb::parallel_for(0, rows, [&](int row) {
+    for (int column = 0; column < columns; ++column) {
       float sum = 0;
-      for (int i = 0; i < points * points; ++i) {
-        const float x = (static_cast<float>(column) + (static_cast<float>(i % points) + 0.5f) / points) /
-                        distribution_columns;
+      for (int i = 0; i < across * down; ++i) {
+        const float x = (static_cast<float>(column) +
+                         (static_cast<float>(i % across) + 0.5f) / static_cast<float>(across)) /
+                        static_cast<float>(columns);
         const float y =
-            (static_cast<float>(row) + (static_cast<float>(i / points) + 0.5f) / points) / distribution_rows;
-        sum += luminance(sky.radiance(direction_at(x, elevation_sine_of_row(y))));
+            (static_cast<float>(row) + (static_cast<float>(i / across) + 0.5f) / static_cast<float>(down)) /
+            static_cast<float>(rows);
+        sum += luminance(sky.radiance(direction_at(x, elevation_sine_of_row(y, sky.spacing))));
       }
-      weights.push_back(sum);
+      means[static_cast<std::size_t>(row) * columns + column] = sum / static_cast<float>(across * down);
     }
-  }
-  return make_direction_distribution(distribution_columns, distribution_rows, weights);
-}
-
-/// What the upper half of the sky sends to level ground, klx.
-Color horizontal_irradiance(const Sky& sky) {
-  Color sum = Color::Zero();
-  for (int row = sky.rows / 2; row < sky.rows; ++row) {
-    const float low = elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(sky.rows));
-    const float high = elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(sky.rows));
-    const float cosine_sr =
-        std::numbers::pi_v<float> * (high * high - low * low) / static_cast<float>(sky.columns);
-    for (int column = 0; column < sky.columns; ++column) {
-      sum += cosine_sr * sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column].head<3>();
-    }
-  }
-  return sum;
+  });
+  return means;
 }
 
 }  // namespace
 
 Color Sky::radiance(const Vec3& direction) const {
-  const Eigen::Vector2f at = table_coordinates(direction);
+  const Eigen::Vector2f at = table_coordinates(direction, spacing);
   const float x = at.x() * static_cast<float>(columns) - 0.5f;
   const float y = std::clamp(at.y() * static_cast<float>(rows) - 0.5f, 0.0f, static_cast<float>(rows - 1));
   const float floor_x = std::floor(x);
@@ -88,55 +56,55 @@ Color Sky::radiance(const Vec3& direction) const {
   return value.head<3>();
 }
 
-Vec3 Sun::sample(const Eigen::Vector2f& u) const {
-  const float chord2_here = u.y() * chord2;
-  const SinCos azimuth = sincos_of_turns(u.x());
-  const float sine = std::sqrt(chord2_here * (1.0f - 0.25f * chord2_here));
-  return frame_around(direction).to_world(
-      {sine * azimuth.cos, sine * azimuth.sin, 1.0f - 0.5f * chord2_here});
+Sky make_empty_sky(int columns, int rows, Rows spacing) {
+  const std::size_t cells = static_cast<std::size_t>(columns) * rows;
+  return {columns, rows, spacing, std::vector<Eigen::Array4f>(cells, Eigen::Array4f::Zero()), {}};
 }
 
-Sun make_sun(const Vec3& direction, double angular_diameter_rad, const Color& irradiance) {
-  Sun sun;
-  sun.direction = direction;
-  const double chord = 2.0 * std::sin(0.25 * angular_diameter_rad);
-  sun.chord2 = static_cast<float>(chord * chord);
-  sun.pdf = static_cast<float>(1.0 / (std::numbers::pi * chord * chord));
-  sun.radiance = irradiance * sun.pdf;
-  return sun;
+void set_cell(Sky& sky, int column, int row, const Color& radiance) {
+  sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column] << radiance, 0.0f;
 }
 
-SkyAndSun make_clear_day(const Daylight& daylight) {
-  const Vec3 to_sun = direction_to_sun(daylight);
-  const Atmosphere atmosphere = make_atmosphere(daylight.turbidity);
-  const Color sunlight = sun_irradiance(atmosphere, to_sun);
+Vec3 cell_direction(const Sky& sky, int column, int row) {
+  const float middle = (static_cast<float>(row) + 0.5f) / static_cast<float>(sky.rows);
+  return direction_at((static_cast<float>(column) + 0.5f) / static_cast<float>(sky.columns),
+                      elevation_sine_of_row(middle, sky.spacing));
+}
 
-  Sky sky = empty_sky(sky_columns, sky_rows);
-  tbb::parallel_for(sky_rows / 2, sky_rows, [&](int row) {
-    for (int column = 0; column < sky_columns; ++column) {
-      set_cell(sky, column, row, sky_radiance(atmosphere, cell_direction(sky, column, row), to_sun));
-    }
-  });
-
-  const Color on_level_ground = sunlight * std::max(0.0f, to_sun.y()) + horizontal_irradiance(sky);
-  const Color plain = on_level_ground * (plain_albedo * std::numbers::inv_pi_v<float>);
-  for (int row = 0; row < sky_rows / 2; ++row) {
-    for (int column = 0; column < sky_columns; ++column) {
-      const float depression_sine = -cell_direction(sky, column, row).y();
-      const float through = ground_air_transmittance(atmosphere, plain_depth_m / depression_sine);
-      const Color horizon =
-          sky.radiance_table[static_cast<std::size_t>(sky_rows / 2) * sky_columns + column].head<3>();
-      set_cell(sky, column, row, plain * through + horizon * (1.0f - through));
+Color horizontal_irradiance(const Sky& sky) {
+  Color sum = Color::Zero();
+  for (int row = sky.rows / 2; row < sky.rows; ++row) {
+    const float low = sine_of_row_border(sky, row), high = sine_of_row_border(sky, row + 1);
+    const float cosine_sr = pi * (high * high - low * low) / static_cast<float>(sky.columns);
+    for (int column = 0; column < sky.columns; ++column) {
+      sum += cosine_sr * sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column].head<3>();
     }
   }
-  sky.distribution = distribution_of(sky);
-  return {std::move(sky), make_sun(to_sun, radians(daylight.sun_angular_diameter_deg), sunlight)};
+  return sum;
+}
+
+DirectionDistribution make_sky_distribution(const Sky& sky) {
+  constexpr int least = 64, most_columns = 512, most_rows = 256;
+  const int columns = std::clamp(sky.columns / 4, least, most_columns);
+  const int rows = std::clamp(sky.rows / 4, least, most_rows);
+  std::vector<float> weights = mean_luminance(sky, columns, rows);
+  double mean = 0;
+  for (int row = 0; row < rows; ++row) {
+    const float low = elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(rows), sky.spacing);
+    const float high =
+        elevation_sine_of_row(static_cast<float>(row + 1) / static_cast<float>(rows), sky.spacing);
+    for (int column = 0; column < columns; ++column)
+      mean += weights[static_cast<std::size_t>(row) * columns + column] * (high - low) / (2.0 * columns);
+  }
+  // What exceeds the mean by rounding alone is not worth a ray.
+  const auto left_to_bsdfs = static_cast<float>(1.0001 * mean);
+  for (float& weight : weights) weight = std::max(0.0f, weight - left_to_bsdfs);
+  return make_direction_distribution(columns, rows, sky.spacing, weights);
 }
 
 Sky make_constant_sky(const Color& radiance) {
-  Sky sky = empty_sky(2, 2);
+  Sky sky = make_empty_sky(2, 2, Rows::crowded_at_horizon);
   for (int i = 0; i < 4; ++i) set_cell(sky, i % 2, i / 2, radiance);
-  sky.distribution = distribution_of(sky);
   return sky;
 }
 

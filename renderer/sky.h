@@ -7,40 +7,35 @@
 
 namespace cps {
 
-/// All light from beyond the scene but the sun's disc: the computed sky, and below the horizon a lit, hazy
-/// plain.
+/// All light from beyond the scene but the sun's disc, as a table of radiance.
 struct Sky {
   int columns = 0, rows = 0;
+  Rows spacing = Rows::crowded_at_horizon;
   std::vector<Eigen::Array4f>
       radiance_table;  ///< at the cells' middles, kcd/m²; the fourth number is padding
+  /// Directions to draw light from, beside those that a BSDF draws: by how much they are brighter than the
+  /// sky is on average (see make_sky_distribution). Empty for a constant sky.
   DirectionDistribution distribution;
 
   Color radiance(const Vec3& direction) const;
 };
 
-/// The sun's disc, uniformly bright.
-struct Sun {
-  Vec3 direction;  ///< from the world to its centre
-  Color radiance;  ///< kcd/m²; 0 once it has set
-  float chord2;    ///< squared chord of its angular radius on the unit sphere; the disc covers π·chord² sr
-  float pdf;       ///< of every direction in the disc, 1/sr
+/// A dark sky of so many cells, and the radiance of one of them.
+Sky make_empty_sky(int columns, int rows, Rows spacing);
+void set_cell(Sky& sky, int column, int row, const Color& radiance);
 
-  bool shines() const { return (radiance > 0.0f).any(); }
-  bool covers(const Vec3& from_world) const { return (from_world - direction).squaredNorm() <= chord2; }
-  Vec3 sample(const Eigen::Vector2f& u) const;
-};
+/// Direction of the middle of a cell.
+Vec3 cell_direction(const Sky& sky, int column, int row);
 
-struct SkyAndSun {
-  Sky sky;
-  Sun sun;
-};
+/// What the upper half of the sky sends to level ground, klx.
+Color horizontal_irradiance(const Sky& sky);
 
-/// Sun and sky of a clear day, in proportion (see Atmosphere).
-SkyAndSun make_clear_day(const Daylight& daylight);
+/// Importance for a sky that BSDF samples find as well: its mean luminance is left to them and only what
+/// exceeds it is drawn here, which takes noise from the sum of both (Karlík et al. 2019, "MIS compensation").
+/// To be called once the table is filled.
+DirectionDistribution make_sky_distribution(const Sky& sky);
 
 /// The same radiance from everywhere.
 Sky make_constant_sky(const Color& radiance);
-
-Sun make_sun(const Vec3& direction, double angular_diameter_rad, const Color& irradiance);
 
 }  // namespace cps

@@ -2,11 +2,11 @@
 
 namespace cps {
 
-/// What a GGX surface reflects of a uniform white surrounding, split as f0·scale + bias (Karis 2013, "Real
-/// shading in Unreal Engine 4"), with Schlick's Fresnel reaching 1 at grazing.
+/// What a GGX surface reflects of a uniform white surrounding, split as f0·scale + f90·bias (Karis 2013,
+/// "Real shading in Unreal Engine 4"), with Schlick's Fresnel.
 struct SpecularAlbedo {
   float scale, bias;
-  float operator()(float f0) const { return f0 * scale + bias; }
+  float operator()(float f0, float f90 = 1.0f) const { return f0 * scale + f90 * bias; }
 };
 
 /// Seen from a direction at `cosine` to the normal; `roughness` is glTF's (α = roughness²). From a table

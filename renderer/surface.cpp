@@ -8,28 +8,6 @@
 namespace cps {
 namespace {
 
-/// The triangle of a hit in the world.
-struct WorldTriangle {
-  const Geometry& geometry;
-  const Placement& placement;
-  Eigen::Vector3i corner;
-  Vec3 positions[3];
-  Vec3 normal;  ///< of the front face, by winding; twice the area long in world units
-};
-
-WorldTriangle world_triangle(const PlacedGeometry& placed, const Hit& hit) {
-  const Placement& placement = placed.placements[hit.placement];
-  const Geometry& geometry = placed.geometries[placement.geometry];
-  WorldTriangle t{geometry, placement, geometry.triangles[hit.triangle], {}, {}};
-  for (int i = 0; i < 3; ++i) t.positions[i] = geometry.vertices[t.corner[i]].position;
-  if (placement.shared) {
-    for (Vec3& position : t.positions) position = placement.world_from_mesh * position;
-  }
-  t.normal = (t.positions[1] - t.positions[0]).cross(t.positions[2] - t.positions[0]);
-  if (placement.shared && placement.mirrored) t.normal = -t.normal;
-  return t;
-}
-
 Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
   if (uv_set == 0) return geometry.vertices[vertex].uv;
   return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
@@ -59,9 +37,8 @@ TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, float
 }
 
 /// What a normal map does to the interpolated normal, in the world.
-Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal,
-                   const TextureFootprint& footprint) {
-  const SurfaceMaterial& material = *t.geometry.material;
+Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, const TextureLookup& map,
+                   float scale, const TextureFootprint& footprint) {
   const auto& vertices = t.geometry.vertices;
   const float sign = vertices[t.corner.x()].bitangent_sign;
   if (sign == 0.0f) return normal;
@@ -75,10 +52,9 @@ Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal,
   tangent /= length;
   const Vec3 bitangent = normal.cross(tangent) * (t.placement.mirrored ? -sign : sign);
 
-  const Eigen::Array4f texel = material.normal_texture.sample(footprint);
+  const Eigen::Array4f texel = map.sample(footprint);
   const Vec3 n = 2.0f * texel.head<3>().matrix() - Vec3::Ones();
-  return (material.normal_scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal)
-      .normalized();
+  return (scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal).normalized();
 }
 
 /// Bends a shading normal so that the mirror image of `wo` leaves the true surface: without it a bump that
@@ -97,23 +73,19 @@ Vec3 bent_towards_viewer(const Vec3& normal, const Vec3& geometric_normal, const
 bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit) {
   const Placement& placement = placed.placements[hit.placement];
   if (placed.geometries[placement.geometry].material->double_sided) return false;
-  return world_triangle(placed, hit).normal.dot(ray.direction) > 0.0f;
+  return world_triangle(placed, hit.placement, hit.triangle).normal.dot(ray.direction) > 0.0f;
 }
 
 Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
                      float least_roughness) {
-  const WorldTriangle t = world_triangle(placed, hit);
+  const WorldTriangle t = world_triangle(placed, hit.placement, hit.triangle);
   const Geometry& geometry = t.geometry;
   const SurfaceMaterial& material = *geometry.material;
   const Vec3 wo = -ray.direction;
 
   Surface surface;
   surface.position = interpolate(t.positions[0], t.positions[1], t.positions[2], hit.u, hit.v);
-  // Coordinates are exact to 2^-24 of the largest one: a few roundings happen in transforms, interpolation
-  // and Embree.
-  float largest = 0.0f;
-  for (const Vec3& position : t.positions) largest = std::max(largest, position.cwiseAbs().maxCoeff());
-  surface.clearance = 1e-6f * largest + 1e-6f;
+  surface.clearance = rounding_of(t);
 
   const float world_area = t.normal.norm();
   const Vec3 front = world_area > 0.0f ? Vec3(t.normal / world_area) : wo;
@@ -128,33 +100,39 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   const float length = normal.norm();
   normal = length > 1e-6f ? Vec3(normal / length) : front;
   const bool faces_away = normal.dot(surface.geometric_normal) < 0.0f;
-  if (material.normal_texture.texture) normal = mapped_normal(t, hit, normal, footprint);
-  if (faces_away) normal = -normal;
-  normal = bent_towards_viewer(normal, surface.geometric_normal, wo);
-  surface.shading = frame_around(normal);
+  const Vec3 smooth_normal = normal;
+  const auto facing_viewer = [&](const Vec3& n) {
+    return bent_towards_viewer(faces_away ? Vec3(-n) : n, surface.geometric_normal, wo);
+  };
+  if (material.normal_texture.texture)
+    normal = mapped_normal(t, hit, normal, material.normal_texture, material.normal_scale, footprint);
+  surface.shading = frame_around(facing_viewer(normal));
   surface.wo = surface.shading.to_local(wo);
   surface.wo.z() = std::max(surface.wo.z(), 1e-4f);
 
-  Eigen::Array4f base_color = material.base_color * material.base_color_texture.sample(footprint);
-  if (!geometry.colors.empty()) {
-    const auto color_of = [&](int i) -> Eigen::Array4f { return geometry.colors[i].cast<float>(); };
-    base_color *=
-        interpolate(color_of(t.corner.x()), color_of(t.corner.y()), color_of(t.corner.z()), hit.u, hit.v);
-  }
-  float metallic = material.metallic, roughness = material.roughness;
-  if (material.metallic_roughness_texture.texture) {
-    const Eigen::Array4f texel = material.metallic_roughness_texture.sample(footprint);
-    roughness *= texel.y();
-    metallic *= texel.z();
-  }
-  // What reflects more than arrives would brighten with every bounce.
-  surface.bsdf = make_bsdf(base_color.head<3>().min(1.0f), metallic, std::max(roughness, least_roughness),
-                           surface.wo.z());
-
+  const Color base_color = geometry.base_color(hit.triangle, hit.u, hit.v, footprint).head<3>();
+  const bool shows = is_front || material.double_sided;
   surface.emission = Color::Zero();
-  if (material.emits && (is_front || material.double_sided)) {
-    surface.emission = material.emissive * material.emissive_texture.sample(footprint).head<3>();
+  surface.scatters = !material.unlit;
+  if (!surface.scatters) {
+    if (shows) surface.emission = material.unlit_radiance * base_color;
+    return surface;
   }
+  if (material.emits && shows)
+    surface.emission = material.emissive * material.emissive_texture.sample(footprint).head<3>();
+
+  BsdfParameters parameters = bsdf_parameters(material, base_color, footprint);
+  if (material.transmits) parameters.straight = thin_glass_transmittance(parameters, std::abs(front.dot(wo)));
+  parameters.roughness = std::max(parameters.roughness, least_roughness);
+  if (parameters.clearcoat > 0.0f) {
+    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, least_roughness);
+    const Vec3 coat_normal = material.clearcoat_normal_texture.texture
+                                 ? mapped_normal(t, hit, smooth_normal, material.clearcoat_normal_texture,
+                                                 material.clearcoat_normal_scale, footprint)
+                                 : smooth_normal;
+    parameters.clearcoat_normal = surface.shading.to_local(facing_viewer(coat_normal));
+  }
+  surface.bsdf = make_bsdf(parameters, surface.wo);
   return surface;
 }
 

@@ -11,14 +11,23 @@ struct Surface {
   Vec3 position;
   Vec3 geometric_normal;  ///< on the ray's side
   Frame shading;
-  Vec3 wo;  ///< back along the ray, in the shading frame
-  Bsdf bsdf;
+  Vec3 wo;          ///< back along the ray, in the shading frame
+  Bsdf bsdf;        ///< not set where `scatters` is false
+  bool scatters;    ///< false for unlit materials, which take no light
   Color emission;   ///< radiance towards wo
   float clearance;  ///< metres that a ray must start off the surface, by rounding of the coordinates
 
   /// A ray away from here. Ends the light's leak through the surface: `wi` must be on wo's side of the true
   /// surface.
   Ray leave(const Vec3& wi) const { return {position + clearance * geometric_normal, wi}; }
+
+  /// `ray`, which came here, on its way straight through.
+  Ray pass(const Ray& ray) const {
+    Ray onward = ray;
+    onward.origin = position - clearance * geometric_normal;
+    onward.t_near = 0;
+    return onward;
+  }
 };
 
 /// The surface at a hit of `ray`, which is `footprint_width` metres wide there (its textures are averaged

@@ -2,6 +2,8 @@
 
 #include <tbb/task_arena.h>
 
+#include <bit>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +25,7 @@ RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
                              geometry.vertices.data(), 0, sizeof(PackedVertex), geometry.vertices.size());
   rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
                              0, sizeof(Eigen::Vector3i), geometry.triangles.size());
-  if (geometry.material->alpha_mode != AlphaMode::opaque) set_alpha_filters(triangles, geometry);
+  set_alpha_filters(triangles, geometry);
   rtcSetGeometryMask(triangles, geometry.viewer_only ? viewer_mask : viewer_mask | light_mask);
   rtcCommitGeometry(triangles);
   return triangles;
@@ -69,6 +71,16 @@ void set_lane(RTCRay8& rays, int lane, const Ray& ray) {
   rays.dir_z[lane] = ray.direction.z();
   rays.tnear[lane] = ray.t_near, rays.tfar[lane] = ray.t_far;
   rays.time[lane] = 0, rays.mask[lane] = mask_of(ray), rays.id[lane] = ray.id, rays.flags[lane] = 0;
+}
+
+bool in_one_octant(const Ray (&rays)[packet_size], const bool (&active)[packet_size]) {
+  int octants = 0;
+  for (int lane = 0; lane < packet_size; ++lane) {
+    if (!active[lane]) continue;
+    const Vec3& d = rays[lane].direction;
+    octants |= 1 << (std::signbit(d.x()) | std::signbit(d.y()) << 1 | std::signbit(d.z()) << 2);
+  }
+  return std::has_single_bit(static_cast<unsigned>(octants));
 }
 
 }  // namespace
@@ -133,17 +145,24 @@ void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active
   }
 }
 
-float Bvh::transmittance(const Ray& ray) const {
+Color Bvh::transmittance(const Ray& ray) const {
   ShadowContext context;
   init_shadow_context(context);
   RTCRay query = to_embree(ray);
   query.id = 0;
   rtcOccluded1(scene.get(), &context.embree, &query);
-  return query.tfar < 0.0f ? 0.0f : context.transmittance[0];
+  return query.tfar < 0.0f ? Color(Color::Zero()) : context.transmittance[0];
 }
 
 void Bvh::transmittance_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
-                                 float (&transmittance)[packet_size]) const {
+                                 Color (&transmittance)[packet_size]) const {
+  // Embree takes a packet apart by octants, and shows its leaves to all rays once for each: filters would
+  // tint twice.
+  if (!in_one_octant(rays, active)) {
+    for (int lane = 0; lane < packet_size; ++lane)
+      if (active[lane]) transmittance[lane] = this->transmittance(rays[lane]);
+    return;
+  }
   ShadowContext context;
   init_shadow_context(context);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -156,7 +175,7 @@ void Bvh::transmittance_coherent(const Ray (&rays)[packet_size], const bool (&ac
   }
   rtcOccluded8(valid, scene.get(), &context.embree, &query);
   for (int lane = 0; lane < packet_size; ++lane) {
-    transmittance[lane] = query.tfar[lane] < 0.0f ? 0.0f : context.transmittance[lane];
+    transmittance[lane] = query.tfar[lane] < 0.0f ? Color(Color::Zero()) : context.transmittance[lane];
   }
 }
 

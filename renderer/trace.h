@@ -45,12 +45,12 @@ class Bvh {
   void intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
                           Hit (&hits)[packet_size]) const;
 
-  /// The share of light that passes between the ray's ends: 0 behind anything opaque.
-  float transmittance(const Ray& ray) const;
+  /// The share of light that passes between the ray's ends, tinted by glass: 0 behind anything opaque.
+  Color transmittance(const Ray& ray) const;
 
   /// The same for rays that run alike.
   void transmittance_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
-                              float (&transmittance)[packet_size]) const;
+                              Color (&transmittance)[packet_size]) const;
 
  private:
   struct Release {

@@ -6,6 +6,7 @@
 #include "scenes/gltf/extensions.h"
 #include "scenes/gltf/instances.h"
 #include "scenes/gltf/lanes.h"
+#include "scenes/gltf/lights.h"
 #include "scenes/gltf/nodes.h"
 
 namespace cps {
@@ -34,7 +35,9 @@ Scene make_scene(Document& document) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.credits = document.model.asset.copyright;
   MeshTable meshes{document, scene, {document, scene}};
-  add_instances(meshes, place_nodes(document, index));
+  const std::vector<PlacedNode> nodes = place_nodes(document, index);
+  add_instances(meshes, nodes);
+  add_lights(document, nodes, scene);
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);
   scene.lanes = read_lanes(document, index);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,17 +32,49 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// glTF 2.0 metallic-roughness. Factors are linear.
+/// glTF 2.0 metallic-roughness, with the Khronos extensions that cities use. Factors are linear.
 struct Material {
   std::string name;
   Eigen::Vector4f base_color = {1, 1, 1, 1};
   float metallic = 1, roughness = 1;
-  Eigen::Vector3f emissive = {0, 0, 0};  ///< radiance, before its texture
+  Eigen::Vector3f emissive = {0, 0, 0};  ///< radiance, kcd/m², before its texture
   TextureSlot base_color_texture, metallic_roughness_texture, normal_texture, emissive_texture;
   float normal_scale = 1;
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
+
+  float ior = 1.5f;    ///< index of refraction (KHR_materials_ior); 0: reflects everything
+  float specular = 1;  ///< strength of the dielectric's reflection (KHR_materials_specular), texture's alpha
+  Eigen::Vector3f specular_color = {1, 1, 1};  ///< tints it at normal incidence; may exceed 1
+  TextureSlot specular_texture, specular_color_texture;
+  float clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat; textures' red and green
+  TextureSlot clearcoat_texture, clearcoat_roughness_texture, clearcoat_normal_texture;
+  float clearcoat_normal_scale = 1;
+  float transmission = 0;  ///< share of the base that is thin clear glass (KHR_materials_transmission), red
+  TextureSlot transmission_texture;
+  bool unlit = false;  ///< the base colour is seen as it is, whatever lights it (KHR_materials_unlit)
+};
+
+/// All textures that a material may read.
+inline std::array<const TextureSlot*, 10> texture_slots(const Material& m) {
+  return {&m.base_color_texture,       &m.metallic_roughness_texture,
+          &m.normal_texture,           &m.emissive_texture,
+          &m.specular_texture,         &m.specular_color_texture,
+          &m.clearcoat_texture,        &m.clearcoat_roughness_texture,
+          &m.clearcoat_normal_texture, &m.transmission_texture};
+}
+
+/// A lamp without size (KHR_lights_punctual).
+struct PunctualLight {
+  enum class Kind { point, spot, directional };
+  std::string name;
+  Kind kind = Kind::point;
+  Eigen::Vector3f position = {0, 0, 0};    ///< world
+  Eigen::Vector3f direction = {0, 0, -1};  ///< into which a spot or directional light shines, world, unit
+  /// Point and spot: luminous intensity, kcd; directional: illuminance of a surface that faces it, klx.
+  Eigen::Vector3f intensity = {0, 0, 0};
+  float cos_inner = 1, cos_outer = 0;  ///< of a spot's half angles: full inside the inner, none outside
 };
 
 /// Triangles of one material. Every array but `indices` and `uv1` has one entry per vertex; `uv1`, `colors`
@@ -76,6 +109,7 @@ struct Scene {
   std::vector<Material> materials;  ///< never empty once imported
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
+  std::vector<PunctualLight> lights;
   std::vector<Lane> lanes;
   Eigen::AlignedBox3f bounds;  ///< of all instances, world
 };

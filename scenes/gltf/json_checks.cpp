@@ -72,6 +72,10 @@ constexpr const char* numbers[] = {
     "materials[].pbrMetallicRoughness.metallicFactor",
     "materials[].pbrMetallicRoughness.roughnessFactor",
     "materials[].normalTexture.scale",
+    "extensions.KHR_lights_punctual.lights[].intensity",
+    "extensions.KHR_lights_punctual.lights[].color[]",
+    "extensions.KHR_lights_punctual.lights[].spot.innerConeAngle",
+    "extensions.KHR_lights_punctual.lights[].spot.outerConeAngle",
 };
 
 bool is_whole_number(const json& value) {

@@ -3,31 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/gltf/factors.h"
+#include "scenes/gltf/material_extensions.h"
 #include "scenes/gltf/textures.h"
 
 namespace cps::gltf {
 namespace {
-
-/// `value` if it lies in [0, largest]; else the nearest that does, with a warning.
-float factor(Document& document, double value, double largest, const std::string& where) {
-  if (!std::isfinite(value)) refuse(document, where, "is not a finite number");
-  const double clamped = std::clamp(value, 0.0, largest);
-  if (clamped != value) warn(document, where + " is out of range, taken as " + std::to_string(clamped));
-  return static_cast<float>(clamped);
-}
 
 AlphaMode alpha_mode(const Document& document, const std::string& mode, const std::string& where) {
   if (mode == "OPAQUE") return AlphaMode::opaque;
   if (mode == "MASK") return AlphaMode::mask;
   if (mode == "BLEND") return AlphaMode::blend;
   refuse(document, where, "\"" + mode + "\" is not OPAQUE, MASK or BLEND");
-}
-
-double emissive_strength(const Document& document, const tinygltf::Material& material,
-                         const std::string& where) {
-  const auto extension = material.extensions.find("KHR_materials_emissive_strength");
-  if (extension == material.extensions.end()) return 1;
-  return extension_numbers(document, extension->second, "emissiveStrength", {1}, where)[0];
 }
 
 Material make_material(MaterialTable& table, int index) {
@@ -41,9 +28,8 @@ Material make_material(MaterialTable& table, int index) {
     to.base_color[c] = factor(document, pbr.baseColorFactor[c], 1, where + ".baseColorFactor");
   to.metallic = factor(document, pbr.metallicFactor, 1, where + ".metallicFactor");
   to.roughness = factor(document, pbr.roughnessFactor, 1, where + ".roughnessFactor");
-  const double strength = emissive_strength(document, from, where);
   for (int c = 0; c < 3; ++c)
-    to.emissive[c] = factor(document, from.emissiveFactor[c] * strength, 1e9, where + ".emissiveFactor");
+    to.emissive[c] = factor(document, from.emissiveFactor[c], 1e9, where + ".emissiveFactor");
 
   const auto slot = [&](const auto& info, bool srgb, const char* name) {
     return texture_slot(table, info.index, info.texCoord, info.extensions, srgb, where + "." + name);
@@ -59,6 +45,7 @@ Material make_material(MaterialTable& table, int index) {
   to.alpha_mode = alpha_mode(document, from.alphaMode, where + ".alphaMode");
   to.alpha_cutoff = factor(document, from.alphaCutoff, 1e9, where + ".alphaCutoff");
   to.double_sided = from.doubleSided;
+  read_material_extensions(table, from.extensions, where, to);
   return to;
 }
 

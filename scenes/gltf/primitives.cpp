@@ -32,8 +32,7 @@ std::vector<std::uint32_t> read_corners(Document& document, const tinygltf::Prim
 /// Every vertex has the coordinates its material asks for, zeros if need be.
 void complete_uv(PrimitiveReader& reader, const Material& material, Mesh& mesh) {
   const auto needs = [&](int set) {
-    for (const TextureSlot* slot : {&material.base_color_texture, &material.metallic_roughness_texture,
-                                    &material.normal_texture, &material.emissive_texture})
+    for (const TextureSlot* slot : texture_slots(material))
       if (slot->texture != -1 && slot->uv_set == set) return true;
     return false;
   };
@@ -53,7 +52,9 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
     warn(reader.document,
          reader.where + ".NORMAL: " + std::to_string(repaired) + " without direction, made anew");
   }
-  if (material.normal_texture.texture == -1) {
+  const TextureSlot& normal_map =
+      material.normal_texture.texture != -1 ? material.normal_texture : material.clearcoat_normal_texture;
+  if (normal_map.texture == -1) {
     mesh.tangents.clear();  // of no use
     return;
   }
@@ -61,7 +62,7 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
     warn(reader.document, reader.where + ".TANGENT: not valid, made anew");
     mesh.tangents.clear();
   }
-  if (mesh.tangents.empty()) make_tangents(mesh, material.normal_texture);
+  if (mesh.tangents.empty()) make_tangents(mesh, normal_map);
 }
 
 /// Bends the mesh to its joints; without JOINTS_0 and WEIGHTS_0 it stays as it is.

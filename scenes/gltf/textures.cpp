@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenes/gltf/factors.h"
 #include "scenes/gltf/images.h"
 
 namespace cps::gltf {
@@ -62,23 +63,6 @@ Texture make_texture(Document& document, int image, int sampler_index, bool srgb
 
 }  // namespace
 
-std::vector<double> extension_numbers(const Document& document, const tinygltf::Value& extension,
-                                      const char* key, std::vector<double> missing,
-                                      const std::string& where) {
-  if (!extension.IsObject() || !extension.Has(key)) return missing;
-  const tinygltf::Value& value = extension.Get(key);
-  std::vector<double> numbers;
-  if (value.IsNumber()) numbers.push_back(value.GetNumberAsDouble());
-  for (std::size_t i = 0; i < value.ArrayLen(); ++i)
-    if (value.Get(static_cast<int>(i)).IsNumber())
-      numbers.push_back(value.Get(static_cast<int>(i)).GetNumberAsDouble());
-  bool finite = numbers.size() == missing.size();
-  for (const double number : numbers) finite = finite && std::isfinite(number);
-  if (!finite)
-    refuse(document, where + "." + key, "must be " + std::to_string(missing.size()) + " finite number(s)");
-  return numbers;
-}
-
 TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
                          const tinygltf::ExtensionMap& extensions, bool srgb, const std::string& where) {
   TextureSlot slot;
@@ -112,6 +96,24 @@ TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
   if (slot.uv_set < 0 || slot.uv_set > 1)
     refuse(document, where, "uses TEXCOORD_" + std::to_string(slot.uv_set) + ", only sets 0 and 1 are read");
   return slot;
+}
+
+TextureSlot extension_texture(MaterialTable& table, const tinygltf::Value& extension, const char* key,
+                              bool srgb, const std::string& where) {
+  if (!extension.IsObject() || !extension.Has(key)) return {};
+  const tinygltf::Value& info = extension.Get(key);
+  const std::string name = where + "." + key;
+  const auto whole_number = [&](const char* member, int missing) {
+    if (!info.IsObject() || !info.Has(member)) return missing;
+    if (!info.Get(member).IsInt()) refuse(table.document, name + "." + member, "must be a whole number");
+    return info.Get(member).GetNumberAsInt();
+  };
+  const int index = whole_number("index", -1);
+  if (index < 0) refuse(table.document, name, "names no texture");
+  tinygltf::ExtensionMap extensions;
+  if (info.Has("extensions") && info.Get("extensions").IsObject())
+    extensions = info.Get("extensions").Get<tinygltf::Value::Object>();
+  return texture_slot(table, index, whole_number("texCoord", 0), extensions, srgb, name);
 }
 
 }  // namespace cps::gltf

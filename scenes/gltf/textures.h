@@ -12,8 +12,8 @@ namespace cps::gltf {
 TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
                          const tinygltf::ExtensionMap& extensions, bool srgb, const std::string& where);
 
-/// The numbers in extension property `key` (an array of `size`, or one number for size 1), or `missing`.
-std::vector<double> extension_numbers(const Document& document, const tinygltf::Value& extension,
-                                      const char* key, std::vector<double> missing, const std::string& where);
+/// The same for a textureInfo that stands under `key` in a material's extension.
+TextureSlot extension_texture(MaterialTable& table, const tinygltf::Value& extension, const char* key,
+                              bool srgb, const std::string& where);
 
 }  // namespace cps::gltf

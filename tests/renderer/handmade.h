@@ -17,6 +17,26 @@ inline Material material(const Eigen::Vector4f& base_color, float metallic = 0, 
   return m;
 }
 
+/// Lambert's surface: no layer reflects above it.
+inline Material lambert(const Eigen::Vector4f& base_color) {
+  Material m = material(base_color);
+  m.specular = 0;
+  return m;
+}
+
+inline Material glass(const Eigen::Vector4f& tint) {
+  Material m = material(tint, 0, 0);
+  m.transmission = 1;
+  m.double_sided = true;
+  return m;
+}
+
+inline Material lamp(const Vec3& radiance) {
+  Material m = lambert({0, 0, 0, 1});
+  m.emissive = radiance;
+  return m;
+}
+
 /// A parallelogram from `corner` along `a` (texture u) and `b` (texture −v); its front sees a × b.
 inline Mesh quad(const Vec3& corner, const Vec3& a, const Vec3& b, int material = 0) {
   Mesh m;
@@ -72,6 +92,10 @@ inline Scene scene_of(const Material& material, const Mesh& mesh) {
 
 inline SkyAndSun constant_light(float radiance) {
   return {make_constant_sky(Color::Constant(radiance)), make_sun({0, 1, 0}, 0.01, Color::Zero())};
+}
+
+inline SkyAndSun no_light() {
+  return constant_light(0);
 }
 
 inline SkyAndSun sun_only(const Vec3& direction, const Color& irradiance, double diameter_rad = 0.00925) {

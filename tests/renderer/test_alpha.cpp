@@ -72,25 +72,25 @@ TEST_CASE("Masked holes let rays through, single and in packets, to the eye and 
   const RenderScene scene(half_transparent(AlphaMode::mask, 100), constant_light(1));
   CHECK_FALSE(scene.bvh.intersect(forward(-0.5f)));
   CHECK(scene.bvh.intersect(forward(0.5f)));
-  CHECK(scene.bvh.transmittance(forward(-0.5f)) == 1);
-  CHECK(scene.bvh.transmittance(forward(0.5f)) == 0);
+  CHECK(scene.bvh.transmittance(forward(-0.5f)).x() == 1);
+  CHECK(scene.bvh.transmittance(forward(0.5f)).x() == 0);
   Ray rays[packet_size];
   bool active[packet_size];
   for (int i = 0; i < packet_size; ++i) rays[i] = forward(i % 2 ? 0.5f : -0.5f), active[i] = i != 7;
   Hit hits[packet_size];
   scene.bvh.intersect_coherent(rays, active, hits);
-  float transmittance[packet_size];
+  Color transmittance[packet_size];
   scene.bvh.transmittance_coherent(rays, active, transmittance);
   for (int i = 0; i < 7; ++i) {
     CHECK(static_cast<bool>(hits[i]) == (i % 2 == 1));
-    CHECK(transmittance[i] == (i % 2 ? 0 : 1));
+    CHECK(transmittance[i].x() == (i % 2 ? 0 : 1));
   }
 }
 
 TEST_CASE("Opaque materials ignore alpha") {
   const RenderScene scene(half_transparent(AlphaMode::opaque, 0), constant_light(1));
   CHECK(scene.bvh.intersect(forward(-0.5f)));
-  CHECK(scene.bvh.transmittance(forward(-0.5f)) == 0);
+  CHECK(scene.bvh.transmittance(forward(-0.5f)).x() == 0);
 }
 
 TEST_CASE("The cutoff is met, not passed") {
@@ -107,8 +107,8 @@ TEST_CASE("The cutoff is met, not passed") {
 TEST_CASE("Half-transparent surfaces stop their share of rays and of light") {
   const RenderScene scene(half_transparent(AlphaMode::blend, 64), constant_light(1));
   const double alpha = 64 / 255.0;
-  CHECK(scene.bvh.transmittance(forward(-0.5f)) == Approx(1 - alpha));
-  CHECK(scene.bvh.transmittance(forward(0.5f)) == 0);
+  CHECK(scene.bvh.transmittance(forward(-0.5f)).x() == Approx(1 - alpha));
+  CHECK(scene.bvh.transmittance(forward(0.5f)).x() == 0);
   constexpr int rays = 20000;
   int stopped = 0;
   for (std::uint32_t id = 0; id < rays; ++id)
@@ -122,12 +122,12 @@ TEST_CASE("Light behind several half-transparent surfaces is the product, in pac
   add(scene, quad({-1, -1, -2}, {2, 0, 0}, {0, 2, 0}));
   const RenderScene render_scene(scene, constant_light(1));
   const double expected = std::pow(1 - 128 / 255.0, 3);
-  CHECK(render_scene.bvh.transmittance(forward(-0.5f)) == Approx(expected));
+  CHECK(render_scene.bvh.transmittance(forward(-0.5f)).x() == Approx(expected));
   Ray rays[packet_size];
   bool active[packet_size];
   for (int i = 0; i < packet_size; ++i)
     rays[i] = forward(-0.9f + 0.1f * static_cast<float>(i)), active[i] = true;
-  float transmittance[packet_size];
+  Color transmittance[packet_size];
   render_scene.bvh.transmittance_coherent(rays, active, transmittance);
-  for (float t : transmittance) CHECK(t == Approx(expected));
+  for (const Color& t : transmittance) CHECK(t.x() == Approx(expected));
 }

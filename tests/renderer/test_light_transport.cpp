@@ -27,7 +27,7 @@ Camera above() {
 Color reflected_by_level_surface(const Color& base_color, float metallic, float roughness, const Vec3& to_eye,
                                  const SkyAndSun& light) {
   const auto local = [](const Vec3& v) { return Vec3(v.x(), -v.z(), v.y()); };
-  const Bsdf bsdf = make_bsdf(base_color, metallic, roughness, to_eye.y());
+  const Bsdf bsdf = make_bsdf({base_color, metallic, roughness}, local(to_eye));
   constexpr int rows = 800, columns = 1600;
   Eigen::Array3d sum = Eigen::Array3d::Zero();
   for (int r = 0; r < rows; ++r) {
@@ -94,22 +94,22 @@ TEST_CASE("A mirror shows the sun at its own brightness") {
 }
 
 TEST_CASE("Light between surfaces adds up as a geometric series") {
-  // Inside a closed sphere that emits e and reflects a, n shaded vertices see e (1 + a + … + a^(n−1)).
+  // Inside a closed sphere that emits e and reflects a, n shaded vertices see e (1 + a + … + a^n): each of
+  // them gathers the lamps' light, as it does the sun's.
   Material m = material({0.5f, 0.5f, 0.5f, 1});
   m.emissive = {2, 2, 2};
   m.double_sided = true;
   const RenderScene scene(scene_of(m, sphere(2, 0, 48)), constant_light(0));
   const Camera view = camera({0.1, 0.2, 0}, {0, 0, 1}, 8, 8, 90);
   // The surface's albedo, layer and all, averaged over what it sends back: from two vertices to three.
-  double seen[5];
-  for (int n = 1; n <= 4; ++n)
+  double seen[4];
+  for (int n = 1; n <= 3; ++n)
     seen[n] = mean(render(scene, view, {.samples = 1024, .max_shaded_vertices = n})).x();
-  CHECK(seen[1] == Approx(2).epsilon(1e-4));
-  const double albedo = seen[2] / 2 - 1;
+  const double albedo = seen[1] / 2 - 1;
   CHECK(albedo > 0.5);
   CHECK(albedo < 0.56);
-  CHECK(seen[3] == Approx(2 * (1 + albedo + albedo * albedo)).epsilon(0.01));
-  CHECK(seen[4] == Approx(2 * (1 + albedo + albedo * albedo + albedo * albedo * albedo)).epsilon(0.01));
+  CHECK(seen[2] == Approx(2 * (1 + albedo + albedo * albedo)).epsilon(0.01));
+  CHECK(seen[3] == Approx(2 * (1 + albedo + albedo * albedo + albedo * albedo * albedo)).epsilon(0.01));
 }
 
 TEST_CASE("Half the sky gives half the light: an infinite wall stands on the ground") {

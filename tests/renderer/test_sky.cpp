@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "random/counter_hash.h"
-#include "renderer/sky.h"
+#include "renderer/sky_models.h"
 #include "tests/renderer/statistics.h"
 
 using namespace cps;
@@ -76,20 +76,61 @@ TEST_CASE("A sample's density is the density of its direction") {
   CHECK(at_seam < 10);  // rounding may put a direction across the border of a cell
 }
 
-TEST_CASE("Sky sampling estimates the sky's light without bias") {
+TEST_CASE("Drawing from the sky and by cosine, weighed against each other, estimates the sky's light") {
   const SkyAndSun day = make_clear_day({.sun_elevation_deg = 25});
   const double exact =
       integrate_sphere([&](const Vec3& d) { return luminance(day.sky.radiance(d)) * std::max(0.0f, d.y()); });
   constexpr int samples = 100000;
   double sum = 0, squares = 0;
   for (int i = 0; i < samples; ++i) {
-    const DirectionSample s = day.sky.distribution.sample(uniform_pair(i));
-    const double v = luminance(day.sky.radiance(s.direction)) * std::max(0.0f, s.direction.y()) / s.pdf;
+    const auto balanced = [&](const Vec3& d) {
+      const double cosine = std::max(0.0f, d.y());
+      return luminance(day.sky.radiance(d)) * cosine / (day.sky.distribution.pdf(d) + cosine / pi);
+    };
+    const Vec3 by_sky = day.sky.distribution.sample(uniform_pair(2 * i)).direction;
+    const Eigen::Vector2f u = uniform_pair(2 * i + 1);
+    const Vec3 by_cosine = direction_at(u.x(), std::sqrt(u.y()));
+    const double v = (by_sky.y() > 0 ? balanced(by_sky) : 0.0) + balanced(by_cosine);
     sum += v;
     squares += v * v;
   }
   const double mean = sum / samples, sigma = std::sqrt((squares / samples - mean * mean) / samples);
   CHECK(std::abs(mean - exact) < 4 * sigma + 1e-3 * exact);
+}
+
+TEST_CASE("A constant sky is left to the BSDFs") {
+  const Sky sky = make_constant_sky(Color(3, 2, 1));
+  CHECK(make_sky_distribution(sky).empty());
+  CHECK(sky.distribution.pdf({0, 1, 0}) == 0);
+  CHECK((sky.radiance(Vec3(0.3f, -0.5f, 0.4f).normalized()) - Color(3, 2, 1)).abs().maxCoeff() < 1e-5f);
+  CHECK(horizontal_irradiance(sky).x() == Approx(3 * pi));
+}
+
+TEST_CASE("An overcast sky is three times brighter overhead, and as bright as its elevation says") {
+  const Sky sky = make_overcast_sky({.sun_elevation_deg = 30, .sky = SkyModel::overcast});
+  for (float turns : {0.1f, 0.6f}) {
+    for (float sine : {0.001f, 0.3f, 0.9f}) {
+      const float here = luminance(sky.radiance(direction_at(turns, sine)));
+      const float at_30_deg = luminance(sky.radiance(direction_at(turns, 0.5f)));
+      CHECK(here / at_30_deg == Approx((1 + 2 * sine) / 2).epsilon(0.01));
+    }
+  }
+  CHECK(luminance(horizontal_irradiance(sky)) == Approx(0.3 + 21 * 0.5).epsilon(0.002));
+  const Color zenith = sky.radiance({0, 1, 0});
+  CHECK(zenith.maxCoeff() < 1.35f * zenith.minCoeff());  // white, a little bluish
+}
+
+TEST_CASE("A sun set by hand replaces the model's") {
+  const SkyAndSun light = make_sky_and_sun({.sun_elevation_deg = 90,
+                                            .sun_angular_diameter_deg = 2,
+                                            .sky = SkyModel::constant,
+                                            .sky_radiance = {4, 5, 6},
+                                            .sun_irradiance_klx = Vec3(10, 20, 30)});
+  CHECK((light.sun.radiance / light.sun.pdf - Color(10, 20, 30)).abs().maxCoeff() < 1e-4f);
+  CHECK(light.sun.covers(direction_at(0.3f, std::cos(0.9f * std::numbers::pi_v<float> / 180))));
+  CHECK_FALSE(light.sun.covers(direction_at(0.3f, std::cos(1.1f * std::numbers::pi_v<float> / 180))));
+  CHECK(light.sky.radiance({0, 1, 0}).y() == Approx(5));
+  CHECK_FALSE(make_sky_and_sun({.sky = SkyModel::overcast}).sun.shines());
 }
 
 TEST_CASE("The sun is a disc of its angular diameter, uniformly sampled") {
