@@ -7,16 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "distortion/image_size.h"
 #include "sampler/lens_options.h"
 #include "sensor/develop.h"
 
 /// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
 /// flag of `cps generate`, and a flag overrides the file.
 namespace cps {
-
-struct ImageSize {
-  int width = 0, height = 0;  ///< pixels
-};
 
 struct Recipe {
   std::string name = "dataset";

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
-namespace cps {
+#include "distortion/image_size.h"
 
-struct ImageSize {
-  int width = 0, height = 0;
-  auto operator<=>(const ImageSize&) const = default;
-};
+namespace cps {
 
 /// How large an image the network sees. `factor` divides both sides (the published models use 4); where it is
 /// 0, `width` is the network image's width and the height follows. Images are never enlarged.

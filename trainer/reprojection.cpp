@@ -7,12 +7,6 @@
 #include "distortion/inverse.h"
 
 namespace cps {
-namespace {
-
-/// Nothing but one-to-one is asked: any magnification will do that is not zero.
-const CertificateOptions one_to_one{.min_eigenvalue = 1e-6, .max_eigenvalue = 1e6};
-
-}  // namespace
 
 std::optional<RayGrid> ray_grid(const Calibration& truth) {
   const Pinhole& camera = truth.camera;

@@ -76,7 +76,6 @@ TEST_CASE("a frame cropped about an off-centre principal point is certified as i
                      .fy = 184.62992132804624,
                      .cx = 226.14267081453917,
                      .cy = 139.42517524221512};
-  const CertificateOptions one_to_one{1e-6, 1e6};
   CHECK_FALSE(certify_frame(lens, crop, frame_on_plane(crop), one_to_one).valid());
   const FrameCertificate proof = certify_frame(lens, crop, one_to_one);
   REQUIRE(proof.valid());

@@ -15,7 +15,7 @@
 namespace cps {
 namespace {
 
-const CertificateOptions one_to_one{1e-3, 100};
+const CertificateOptions comfortably_one_to_one{1e-3, 100};
 
 double hash01(std::uint64_t seed, int a, int b, int c) {
   return random_uniform(substream(substream(make_stream(seed, "street"), a + 1000), b + 1000), c + 1000);
@@ -64,7 +64,7 @@ void write_png(const GrayImage& image, const std::filesystem::path& file) {
 
 GrayImage render_street(const Calibration& calibration, std::uint64_t place) {
   const Pinhole& camera = calibration.camera;
-  const FrameCertificate frame = certify_frame(calibration.distortion, camera, one_to_one);
+  const FrameCertificate frame = certify_frame(calibration.distortion, camera, comfortably_one_to_one);
   const double yaw = .12 * (hash01(place, 5, 0, 0) - .5), pitch = .08 * (hash01(place, 5, 0, 1) - .5);
   const Eigen::Matrix3d heading =
       (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitX()))
@@ -100,7 +100,7 @@ Calibration draw_calibration(const ImageSize& size, double hfov_deg, std::uint64
                  K3 = -.2 * K2;
     c.distortion = {K1 / r2, K2 / (r2 * r2), K3 / (r2 * r2 * r2), random_uniform(stream, 4, -.012, .012) / r,
                     random_uniform(stream, 5, -.012, .012) / r};
-    if (certify_frame(c.distortion, c.camera, one_to_one).valid()) return c;
+    if (certify_frame(c.distortion, c.camera, comfortably_one_to_one).valid()) return c;
   }
 }
 
