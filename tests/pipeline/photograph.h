@@ -1,0 +1,36 @@
+#pragma once
+
+#include <OpenImageIO/imagebuf.h>
+
+#include "distortion/warp.h"
+#include "renderer/render.h"
+#include "sampler/lens_draw.h"
+#include "sensor/develop.h"
+
+/// The way of an image as `cps generate` takes it, without its plan and files.
+namespace cps {
+
+/// The undistorted, linear, oversampled render that lenses of `base` share, and its exposure.
+struct Master {
+  Pinhole camera;
+  OIIO::ImageBuf image;
+  double exposure = 1;
+};
+
+inline Master render_master(const RenderScene& scene, const Eigen::Isometry3d& world_from_camera,
+                            const Pinhole& camera, const RenderOptions& options) {
+  OIIO::ImageBuf image = render(scene, {.world_from_camera = world_from_camera, .pinhole = camera}, options);
+  const double exposure = meter_exposure(image);
+  return {.camera = camera, .image = std::move(image), .exposure = exposure};
+}
+
+/// 8-bit RGB: the master through the lens and a sensor drawn from `stream`.
+inline OIIO::ImageBuf photograph(const Master& master, const Pinhole& base, const DrawnLens& lens,
+                                 const SensorOptions& sensor, Stream stream) {
+  const SensorSettings settings = draw_sensor(sensor, make_stream(stream.key, "settings"));
+  return develop(
+      warp(master.image, master.camera, lens.distortion, lens.crop.camera, {.box = frame_on_plane(base)}),
+      master.exposure, settings, make_stream(stream.key, "noise"));
+}
+
+}  // namespace cps
