@@ -91,8 +91,8 @@ CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& sou
     return request.size.empty() ? camera : resized(camera, size.width, size.height);
   }
   const Pinhole base = pinhole_from_hfov(size.width, size.height, hfov_rad(source));
-  const DrawnLens lens =
-      draw_lens(base, request.lenses, substream(make_stream(request.seed, "lens"), request.number));
+  const DrawnLens lens = draw_lens(base, CropOrder::base_first, request.lenses,
+                                   substream(make_stream(request.seed, "lens"), request.number));
   return {"drawn", lens.crop.camera, lens.distortion};
 }
 

@@ -27,7 +27,7 @@ namespace {
 /// The undistorted, linear, oversampled render of a view.
 OIIO::ImageBuf render_master(const Plan& plan, const PlannedView& view, const RenderScene& scene) {
   const Camera camera{.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
-                      .pinhole = plan.sets[view.set].master};
+                      .pinhole = view.master};
   return render(scene, camera,
                 {.samples = plan.recipe.samples,
                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
@@ -40,9 +40,8 @@ ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedG
                        const OIIO::ImageBuf& master, double exposure, const fs::path& root) {
   const Stream stream = substream(make_stream(view.seed, "sensor"), group.lens_number);
   const SensorSettings sensor = draw_sensor(plan.recipe.sensor, make_stream(stream.key, "settings"));
-  const PlannedSet& set = plan.sets[group.set];
-  const OIIO::ImageBuf seen = warp(master, set.master, group.lens.distortion, group.lens.crop.camera,
-                                   {.box = frame_on_plane(set.base)});
+  const OIIO::ImageBuf seen = warp(master, view.master, group.lens.distortion, group.lens.crop.camera,
+                                   {.box = frame_on_plane(group.lens.base)});
   const OIIO::ImageBuf image = develop(seen, exposure, sensor, make_stream(stream.key, "noise"));
   const std::string png = encode_png(image);
   const std::string file = group.folder + "/" + image_name(view);

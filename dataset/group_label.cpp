@@ -13,19 +13,18 @@ std::string generator_name() {
 }
 
 Label group_label(const Plan& plan, const PlannedGroup& group) {
-  const PlannedSet& set = plan.sets[group.set];
+  const Eigen::AlignedBox2d frame = frame_on_plane(group.lens.base);
   const LensBounds& bounds = plan.recipe.lens_options.bounds;
   const Certificate certificate =
-      certify(group.lens.distortion, frame_on_plane(set.base),
+      certify(group.lens.distortion, frame,
               {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue});
   if (!certificate.valid)
     throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);
   // Never empty: the crop keeps the whole frame inside the lens' image of the master.
-  const TrueFov true_angles =
-      *true_fov(group.lens.distortion, group.lens.crop.camera, frame_on_plane(set.base));
+  const TrueFov true_angles = *true_fov(group.lens.distortion, group.lens.crop.camera, frame);
   Label label{.camera = group.lens.crop.camera,
               .distortion = group.lens.distortion,
-              .fov_base_deg = degrees(hfov_rad(set.base)),
+              .fov_base_deg = degrees(hfov_rad(group.lens.base)),
               .fov_true_h_deg = degrees(true_angles.horizontal_rad),
               .fov_true_v_deg = degrees(true_angles.vertical_rad),
               .fov_true_d_deg = degrees(true_angles.diagonal_rad),

@@ -14,14 +14,17 @@ double hfov_rad(const Pinhole& camera) {
   return 2 * std::atan(0.5 * camera.width / camera.fx);
 }
 
-Pinhole oversampled(const Pinhole& camera, int oversampling, int pad) {
-  const auto moved = [&](double c) { return oversampling * (c + 0.5) - 0.5 + pad; };
-  return {oversampling * camera.width + 2 * pad,
-          oversampling * camera.height + 2 * pad,
+Pinhole oversampled(const Pinhole& camera, double oversampling, int pad) {
+  const int width = static_cast<int>(std::ceil(oversampling * camera.width));
+  const int height = static_cast<int>(std::ceil(oversampling * camera.height));
+  const double extra_x = 0.5 * (width - oversampling * camera.width);
+  const double extra_y = 0.5 * (height - oversampling * camera.height);
+  return {width + 2 * pad,
+          height + 2 * pad,
           oversampling * camera.fx,
           oversampling * camera.fy,
-          moved(camera.cx),
-          moved(camera.cy)};
+          oversampling * (camera.cx + 0.5) - 0.5 + pad + extra_x,
+          oversampling * (camera.cy + 0.5) - 0.5 + pad + extra_y};
 }
 
 Eigen::Vector2d to_plane(const Pinhole& camera, const Eigen::Vector2d& pixel) {

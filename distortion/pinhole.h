@@ -21,8 +21,9 @@ Pinhole pinhole_from_hfov(int width, int height, double hfov_rad);
 double hfov_rad(const Pinhole& camera);
 
 /// The same camera with every pixel split into `oversampling`² and `pad` of those added on each side.
-/// cx maps to oversampling·(cx + .5) − .5 + pad.
-Pinhole oversampled(const Pinhole& camera, int oversampling, int pad = 0);
+/// cx maps to oversampling·(cx + .5) − .5 + pad. Where oversampling times the size is not whole, it is
+/// rounded up, and what that adds is shared by both sides.
+Pinhole oversampled(const Pinhole& camera, double oversampling, int pad = 0);
 
 /// Pixel → point on the plane z = 1, and back.
 Eigen::Vector2d to_plane(const Pinhole& camera, const Eigen::Vector2d& pixel);

@@ -20,7 +20,7 @@ enum class Resampling {
 };
 
 struct WarpOptions {
-  int oversampling = 2;          ///< of the master, per axis
+  double oversampling = 2;       ///< of the master, per axis
   double kernel_sigma_px = 0.5;  ///< standard deviation of the output pixel's kernel, output pixels
   Resampling resampling = Resampling::footprint;
   /// Ideal points among which the inverse is looked for; the lens must be one-to-one on them. A crop's base

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "distortion/warp.h"
+#include "sampler/real_lens_prior.h"
 #include "sampler/sequential_draw.h"
 #include "sampler/shape_prior.h"
+#include "sampler/tangential_draw.h"
 
 namespace cps {
 namespace {
@@ -26,18 +28,24 @@ Interval rescaled(const Interval& limits, Coefficient which, double unit) {
 
 /// The coefficients in units of the half diagonal, on the frame that has 1 of them; false if the draw is to
 /// be rejected.
-bool draw_coefficients(LensScheme scheme, const Eigen::AlignedBox2d& frame, const LensBounds& bounds,
-                       Stream stream, DrawnLens& lens) {
+bool draw_coefficients(LensScheme scheme, double hfov_rad, const Eigen::AlignedBox2d& frame,
+                       const LensBounds& bounds, Stream stream, DrawnLens& lens) {
   if (scheme == LensScheme::sequential) {
     const SequentialDraw drawn = draw_sequential(frame, bounds, stream);
     lens.distortion = drawn.lens;
     std::copy(drawn.limits.begin(), drawn.limits.end(), lens.limits.begin());
     return true;
   }
-  const std::optional<Distortion> drawn = draw_from_shape_prior(bounds.max_tangential, stream);
-  if (!drawn || !is_within(bounds, *drawn, frame)) return false;
+  const Stream radial = make_stream(stream.key, "radial");
+  const std::optional<Distortion> drawn =
+      scheme == LensScheme::shape_prior ? radial_lens(draw_shape(radial)) : draw_real_lens(hfov_rad, radial);
+  if (!drawn) return false;
   lens.distortion = *drawn;
-  return true;
+  const Eigen::Vector2d tangential =
+      draw_tangential(bounds.max_tangential, make_stream(stream.key, "tangential"));
+  lens.distortion.p1 = tangential[0];
+  lens.distortion.p2 = tangential[1];
+  return is_within(bounds, lens.distortion, frame);
 }
 
 /// Draws cx and cy and their limits. Nothing of it depends on the H-FOV.
@@ -62,36 +70,43 @@ CropOptions crop_options(const LensOptions& options) {
                           .max_eigenvalue = options.bounds.max_eigenvalue}};
 }
 
-DrawnLens draw_once(const Pinhole& base, LensScheme scheme, const LensOptions& options, Stream stream) {
-  const double unit = half_diagonal(base);
-  Pinhole unit_camera = base;
-  unit_camera.fx *= unit;
-  unit_camera.fy *= unit;
+DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, const LensOptions& options,
+                    Stream stream) {
+  Pinhole unit_camera = camera;  // its frame's half diagonal is 1
+  unit_camera.fx *= half_diagonal(camera);
+  unit_camera.fy = unit_camera.fx;
   DrawnLens lens;
-  if (!draw_coefficients(scheme, frame_on_plane(unit_camera), options.bounds, stream, lens)) {
+  if (!draw_coefficients(scheme, hfov_rad(camera), frame_on_plane(unit_camera), options.bounds, stream,
+                         lens)) {
     lens.crop.why = "the lens drawn from the prior exceeds the bounds";
     return lens;
   }
   const Eigen::Vector2d principal_point =
       draw_principal_point(unit_camera, options.principal_point, stream, lens);
+  lens.base = order == CropOrder::base_first
+                  ? camera
+                  : base_for_final_hfov(lens.distortion, camera.width, camera.height, hfov_rad(camera),
+                                        principal_point)
+                        .base;
+  const double unit = half_diagonal(lens.base);
   lens.distortion = rescaled(lens.distortion, 1 / unit);
   constexpr Coefficient coefficients[] = {Coefficient::k1, Coefficient::k2, Coefficient::k3, Coefficient::p1,
                                           Coefficient::p2};
   for (Coefficient which : coefficients)
     if (auto& limits = lens.limits[static_cast<int>(which)]) limits = rescaled(*limits, which, 1 / unit);
-  lens.crop = border_free_crop(lens.distortion, base, principal_point, crop_options(options));
+  lens.crop = border_free_crop(lens.distortion, lens.base, principal_point, crop_options(options));
   return lens;
 }
 
 }  // namespace
 
-DrawnLens draw_lens(const Pinhole& base, const LensOptions& options, Stream stream) {
+DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& options, Stream stream) {
   // Chosen once, before any rejection, so that the share is that of the lenses kept.
   const bool for_coverage = random_uniform(make_stream(stream.key, "scheme"), 0) < options.sequential_share;
   const LensScheme scheme = for_coverage ? LensScheme::sequential : options.scheme;
   std::string why;
   for (int attempt = 0; attempt < max_attempts; ++attempt) {
-    DrawnLens lens = draw_once(base, scheme, options, substream(stream, attempt));
+    DrawnLens lens = draw_once(camera, order, scheme, options, substream(stream, attempt));
     if (lens.crop.valid) return lens;
     why = lens.crop.why;
   }
@@ -100,10 +115,12 @@ DrawnLens draw_lens(const Pinhole& base, const LensOptions& options, Stream stre
                            "; widen max_zoom, max_displacement or max_eigenvalue");
 }
 
-DrawnLens undistorted_lens(const Pinhole& base) {
+DrawnLens undistorted_lens(const Pinhole& camera) {
   DrawnLens lens;
+  lens.base = camera;
   lens.crop.valid = true;
-  lens.crop.camera = base;
+  lens.crop.camera = camera;
+  lens.crop.certificate = certify(lens.distortion, frame_on_plane(camera));
   return lens;
 }
 

@@ -2,25 +2,33 @@
 
 #include <fmt/format.h>
 
+#include "sampler/shared_master.h"
+
 namespace cps {
 
 SetGroups::SetGroups(Plan& plan, int set) : plan_(plan), set_(set) {
-  undistorted_ = add(0, Part::all, undistorted_lens(plan.sets[set].base));
+  undistorted_ = add(0, Part::all, undistorted_lens(plan.sets[set].camera));
 }
 
-std::vector<int> SetGroups::groups_for(Part part, int rank_in_part) {
+const SetGroups::Block& SetGroups::block_of(Part part, int rank_in_part) {
+  const int views_per_lens = plan_.recipe.views_per_lens;
+  const std::pair key(part, views_per_lens > 0 ? rank_in_part / views_per_lens : 0);
+  const auto found = blocks_.find(key);
+  return found != blocks_.end() ? found->second : blocks_.emplace(key, draw_block(part)).first->second;
+}
+
+SetGroups::Block SetGroups::draw_block(Part part) {
   const Recipe& recipe = plan_.recipe;
-  const int block = recipe.views_per_lens > 0 ? rank_in_part / recipe.views_per_lens : 0;
-  const auto [found, is_new] = blocks_.try_emplace({part, block}, std::vector<int>{undistorted_});
-  if (is_new) {
-    const PlannedSet& set = plan_.sets[set_];
-    for (int i = 0; i < recipe.lenses; ++i) {
-      const int number = ++plan_.distorted_lenses;
-      const Stream stream = substream(make_stream(recipe.seed, "lens"), number);
-      found->second.push_back(add(number, part, draw_lens(set.base, recipe.lens_options, stream)));
-    }
+  Block block{.groups = {undistorted_}, .master = {}};
+  std::vector<DrawnLens> lenses = {plan_.groups[undistorted_].lens};
+  for (int i = 0; i < recipe.lenses; ++i) {
+    const int number = ++plan_.distorted_lenses;
+    lenses.push_back(draw_lens(plan_.sets[set_].camera, recipe.crop_order(), recipe.lens_options,
+                               substream(make_stream(recipe.seed, "lens"), number)));
+    block.groups.push_back(add(number, part, lenses.back()));
   }
-  return found->second;
+  block.master = shared_master(lenses, recipe.lens_options.bounds.min_eigenvalue);
+  return block;
 }
 
 int SetGroups::add(int lens_number, Part part, const DrawnLens& lens) {

@@ -12,18 +12,25 @@ namespace cps {
 /// for every block of `views_per_lens` views of each part.
 class SetGroups {
  public:
+  /// What views share that are seen through the same lenses.
+  struct Block {
+    std::vector<int> groups;  ///< indices into plan.groups, the undistorted one first
+    Pinhole master;
+  };
+
   SetGroups(Plan& plan, int set);
 
-  /// The groups (indices into plan.groups, the undistorted one first) of the part's `rank_in_part`-th view.
-  std::vector<int> groups_for(Part part, int rank_in_part);
+  /// The block of the part's `rank_in_part`-th view.
+  const Block& block_of(Part part, int rank_in_part);
 
  private:
+  Block draw_block(Part part);
   int add(int lens_number, Part part, const DrawnLens& lens);
 
   Plan& plan_;
   int set_;
   int undistorted_;
-  std::map<std::pair<Part, int>, std::vector<int>> blocks_;
+  std::map<std::pair<Part, int>, Block> blocks_;
 };
 
 }  // namespace cps

@@ -17,7 +17,7 @@ void for_each_bound_key(BoundsT& b, Visitor&& visit) {
 /// for_each_recipe_key does for all. OptionsT is LensOptions or const LensOptions.
 template <typename OptionsT, typename Visitor>
 void for_each_lens_key(OptionsT& o, Visitor&& visit) {
-  visit("lens_draw", o.scheme, "sequential, or from a prior: shape_prior");
+  visit("lens_draw", o.scheme, "sequential, or from a prior: shape_prior or real_lenses");
   visit("sequential_share", o.sequential_share, "share of sequential draws among the lenses of a prior");
   for_each_bound_key(o.bounds, visit);
   visit("max_zoom", o.principal_point.max_zoom, "largest zoom of the crop");

@@ -8,7 +8,8 @@ namespace cps {
 namespace {
 
 constexpr std::array words = {std::pair(LensScheme::sequential, "sequential"),
-                              std::pair(LensScheme::shape_prior, "shape_prior")};
+                              std::pair(LensScheme::shape_prior, "shape_prior"),
+                              std::pair(LensScheme::real_lenses, "real_lenses")};
 
 }  // namespace
 

@@ -10,6 +10,7 @@ namespace cps {
 enum class LensScheme {
   sequential,   ///< one after another, each uniform in the interval that the others leave it
   shape_prior,  ///< corner displacement and shape, chosen to cover what cameras have
+  real_lenses,  ///< corner displacement and shape as photographic lenses of that H-FOV have them
 };
 
 std::string to_string(LensScheme scheme);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distortion/warp.h"
 #include "sampler/lens_groups.h"
 #include "sampler/place_draw.h"
 #include "sampler/splits.h"
@@ -31,15 +30,14 @@ std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) 
 std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
   std::vector<PlannedSet> sets;
   for (const ImageSize& size : recipe.sizes)
-    for (double hfov_deg : recipe.base_hfov_deg) {
-      const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
+    for (double hfov_deg :
+         recipe.crop_order() == CropOrder::base_first ? recipe.base_hfov_deg : recipe.hfov_deg) {
       sets.push_back(
           {.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
-           .base = base,
-           .master = master_camera(base, WarpOptions{}, recipe.lens_options.bounds.min_eigenvalue)});
+           .camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg))});
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
-          throw std::runtime_error("recipe: size, base_hfov_deg: two sets would share the folder " +
+          throw std::runtime_error("recipe: size, base_hfov_deg, hfov_deg: two sets would share the folder " +
                                    sets.back().folder + "; name each once, in whole degrees");
     }
   return sets;
@@ -55,6 +53,7 @@ void plan_views_of_set(Plan& plan, int set) {
   int rank_in_part[3] = {0, 0, 0};
   for (int index = 0; index < recipe.views; ++index) {
     const Part part = parts[index];
+    const SetGroups::Block& block = groups.block_of(part, rank_in_part[static_cast<int>(part)]++);
     plan.views.push_back(
         {.set = set,
          .index = index,
@@ -65,7 +64,8 @@ void plan_views_of_set(Plan& plan, int set) {
          .place = {},
          .camera = plan.camera,
          .seed = random_bits(set_stream, index),
-         .groups = groups.groups_for(part, rank_in_part[static_cast<int>(part)]++)});
+         .master = block.master,
+         .groups = block.groups});
   }
 }
 

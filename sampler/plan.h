@@ -27,14 +27,13 @@ struct PlannedCondition {
   Daylight daylight;
 };
 
-/// One size at one base H-FOV.
+/// One size at one H-FOV.
 struct PlannedSet {
   std::string folder;  ///< 1392x512_hfov090
-  Pinhole base;        ///< output-sized, at the base H-FOV, centred
-  Pinhole master;      ///< what is rendered: oversampled and padded
+  Pinhole camera;      ///< output-sized, centred: the base of all its lenses, or, label-first, their image
 };
 
-/// Images that share size, rig camera, base H-FOV and lens: one leaf folder.
+/// Images that share size, rig camera, H-FOV and lens: one leaf folder.
 struct PlannedGroup {
   std::string folder;  ///< <set folder>/front_lens0003
   int set = 0;
@@ -53,6 +52,7 @@ struct PlannedView {
   Place place;
   RigCamera camera;  ///< with this view's mount errors
   std::uint64_t seed = 0;
+  Pinhole master;           ///< what is rendered, for all its groups
   std::vector<int> groups;  ///< the undistorted one first
 };
 

@@ -31,7 +31,8 @@ bool Recipe::is_valid(std::string* why) const {
     return true;
   };
   bool hfovs_in_range = true;
-  for (double hfov : base_hfov_deg) hfovs_in_range &= is_between(hfov, 5, 165);
+  for (const auto& hfovs : {base_hfov_deg, hfov_deg})
+    for (double hfov : hfovs) hfovs_in_range &= is_between(hfov, 5, 165);
   const Check checks[] = {
       {!name.empty(), "name: must not be empty"},
       {!scenes.empty() || !city_seeds.empty(), "scene, city_seed: name at least one scene or city"},
@@ -46,8 +47,10 @@ bool Recipe::is_valid(std::string* why) const {
        "size: width and height must be at least 32 pixels"},
       {all_sizes([](const ImageSize& s) { return s.width <= 8192 && s.height <= 8192; }),
        "size: width and height must be at most 8192 pixels"},
-      {!base_hfov_deg.empty(), "base_hfov_deg: name at least one"},
-      {hfovs_in_range, "base_hfov_deg: must lie in [5, 165]"},
+      {!base_hfov_deg.empty() || !hfov_deg.empty(), "base_hfov_deg, hfov_deg: name at least one"},
+      {base_hfov_deg.empty() || hfov_deg.empty(),
+       "base_hfov_deg, hfov_deg: one follows from the other; name only one of them"},
+      {hfovs_in_range, "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
       {is_between(views, 3, 1'000'000),
        "views: must lie in [3, 1000000], one for each of train, val and test"},
       {is_between(camera_height_m, 0.2, 10), "camera_height_m: must lie in [0.2, 10]"},

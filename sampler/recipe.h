@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "distortion/image_size.h"
-#include "sampler/lens_options.h"
+#include "sampler/lens_draw.h"
 #include "sensor/develop.h"
 
 /// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
@@ -26,9 +26,10 @@ struct Recipe {
   double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
   double turbidity_min = 2, turbidity_max = 6;
 
-  // Sets: every size at every base H-FOV.
+  // Sets: every size at every H-FOV, which is either the bases' or the labels'.
   std::vector<ImageSize> sizes;
   std::vector<double> base_hfov_deg;
+  std::vector<double> hfov_deg;
   int views = 0;  ///< per set
 
   // The car.
@@ -51,6 +52,8 @@ struct Recipe {
   int samples = 16;  ///< per master pixel; an output pixel gathers about oversampling² times as many
   int max_shaded_vertices = 5;
   SensorOptions sensor;
+
+  CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 
   /// One line that names the key and its range when something is off.
   bool is_valid(std::string* why) const;

@@ -22,7 +22,9 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("size", r.sizes, "image sizes in pixels, as 1392x512, separated by commas");
   visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
-  visit("views", r.views, "views per size and base H-FOV");
+  visit("hfov_deg", r.hfov_deg,
+        "instead: H-FOVs of the images, after the crop; each lens gets the base that leads there");
+  visit("views", r.views, "views per size and H-FOV");
 
   visit("camera_height_m", r.camera_height_m, "camera above the road");
   visit("camera_forward_m", r.camera_forward_m, "camera ahead of the rear axle");

@@ -23,8 +23,4 @@ LensShape draw_shape(Stream stream);
 /// huge K1 to move the corner.
 std::optional<Distortion> radial_lens(const LensShape& shape);
 
-/// One draw: a shape, and (p2, p1) at a uniform angle with a length uniform in [0, max_tangential]. It may
-/// exceed any other bound: the caller rejects what does. Empty where the shape is no lens.
-std::optional<Distortion> draw_from_shape_prior(double max_tangential, Stream stream);
-
 }  // namespace cps

@@ -93,8 +93,9 @@ int cps_lens_sample(const Arguments& arguments) {
   const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
   auto rows = nlohmann::ordered_json::array();
   for (int number = 1; number <= count; ++number)
-    rows.push_back(
-        row_of(number, draw_lens(base, lenses, substream(make_stream(seed, "lens"), number)), hfov_deg));
+    rows.push_back(row_of(
+        number, draw_lens(base, CropOrder::base_first, lenses, substream(make_stream(seed, "lens"), number)),
+        hfov_deg));
   if (!plot_file.empty()) write_file(plot_file, to_svg(sample_plots(rows), 3));
   if (values.count("json"))
     fmt::print("{}\n", rows.dump(1));

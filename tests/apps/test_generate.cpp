@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "cps_program.h"
@@ -87,6 +88,29 @@ TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finish
   CHECK(again.exit_status == 0);
   CHECK_THAT(again.output, Catch::Contains("nothing to do"));
   CHECK(fs::last_write_time(out / "dataset.json") == before);
+}
+
+TEST_CASE("label-first, the images have the H-FOV asked for and their bases differ") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  const ProgramRun made = run_cps("generate --scene " + scene.string() +
+                                  " --size 80x45 --hfov_deg 70 --views 3 --lenses 3 --samples 1 "
+                                  "--lens_draw shape_prior --out " +
+                                  out.string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  std::set<double> bases;
+  for (const auto& entry : fs::directory_iterator(out / "80x45_hfov070")) {
+    const nlohmann::json label = read_json(entry.path() / "calibration.json");
+    CHECK(label["fov"].get<double>() == Approx(70).epsilon(1e-9));
+    bases.insert(label["fov_base_deg"].get<double>());
+  }
+  CHECK(bases.size() == 10);  // the undistorted lens and three for each of three parts
+  CHECK(*bases.begin() == Approx(70));
+  CHECK(*bases.rbegin() > 75);
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
 }
 
 TEST_CASE("one thread and two make the same bytes") {

@@ -36,10 +36,10 @@ inline void write_small_dataset(const std::filesystem::path& root, const Plan& p
     const PlannedView& view = plan.views[v];
     ViewRecord record{.view = static_cast<std::int64_t>(v), .exposure = 1.25, .images = {}};
     for (int g : view.groups) {
-      const Pinhole& base = plan.sets[view.set].base;
-      OIIO::ImageBuf image(OIIO::ImageSpec(base.width, base.height, 3, OIIO::TypeDesc::UINT8));
+      const Pinhole& camera = plan.sets[view.set].camera;
+      OIIO::ImageBuf image(OIIO::ImageSpec(camera.width, camera.height, 3, OIIO::TypeDesc::UINT8));
       auto* pixels = static_cast<std::uint8_t*>(image.localpixels());
-      for (int i = 0; i < 3 * base.width * base.height; ++i)
+      for (int i = 0; i < 3 * camera.width * camera.height; ++i)
         pixels[i] = static_cast<std::uint8_t>(random_bits(substream(make_stream(view.seed, "noise"), g), i));
       const std::string png = encode_png(image);
       const std::string file = plan.groups[g].folder + "/" + image_name(view);

@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "distortion/warp.h"
 #include "plain_scene.h"
 #include "sampler/plan.h"
 
@@ -81,6 +82,28 @@ TEST_CASE("lens numbers are unique and lens blocks hold no more views than they 
     for (int g : view.groups) ++views_of_group[g];
   for (const auto& [g, views] : views_of_group)
     if (plan.groups[g].lens_number > 0) CHECK(views <= 8);
+}
+
+TEST_CASE("base-first, every view of a set has the same twofold master") {
+  const Plan plan = plan_of(small_recipe());
+  for (const PlannedView& view : plan.views)
+    CHECK(view.master ==
+          master_camera(plan.sets[view.set].camera, WarpOptions{}, LensBounds{}.min_eigenvalue));
+}
+
+TEST_CASE("label-first, images share their set's H-FOV, and a view's master serves the widest base") {
+  Recipe recipe = small_recipe();
+  std::swap(recipe.hfov_deg, recipe.base_hfov_deg);
+  recipe.lens_options.scheme = LensScheme::shape_prior;
+  const Plan plan = plan_of(recipe);
+  CHECK(plan.sets[1].folder == "96x54_hfov110");
+  for (const PlannedGroup& group : plan.groups)
+    CHECK(group.lens.crop.camera.fx == Approx(plan.sets[group.set].camera.fx).epsilon(1e-9));
+  for (const PlannedView& view : plan.views) {
+    const Eigen::AlignedBox2d master = frame_on_plane(view.master);
+    for (int g : view.groups) CHECK(master.contains(frame_on_plane(plan.groups[g].lens.base)));
+    CHECK(view.master.width < 5 * plan.sets[view.set].camera.width);
+  }
 }
 
 TEST_CASE("places lie on their street, near the lane, facing along it") {

@@ -77,8 +77,9 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"split = random", "split: must be route or thesis"},
       {"max_displacement = -1", "max_displacement"},
       {"max_zoom = 0.5", "max_zoom"},
-      {"lens_draw = clamped", "lens_draw = clamped: is not one of sequential, shape_prior"},
+      {"lens_draw = clamped", "lens_draw = clamped: is not one of sequential, shape_prior, real_lenses"},
       {"sequential_share = 1.5", "sequential_share"},
+      {"hfov_deg = 90", "base_hfov_deg, hfov_deg: one follows from the other"},
       {"full_well_min_e = 0", "full_well_min_e"},
   };
   for (const auto& [line, expected] : cases) {
@@ -87,6 +88,7 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
     CHECK_THAT(refusal(line), !Catch::Contains("\n"));
   }
   CHECK_THROWS_WITH(recipe_of("size = 480x270\nbase_hfov_deg = 90\nviews = 10\n"), Catch::Contains("scene"));
+  CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 480x270\nviews = 10\n"), Catch::Contains("hfov_deg"));
   CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 480\nbase_hfov_deg = 90\nviews = 10\n"),
                     Catch::Contains("1392x512"));
   CHECK_THROWS_WITH(recipe_of("scene = a\nsize = 0x270\nbase_hfov_deg = 90\nviews = 10\n"),

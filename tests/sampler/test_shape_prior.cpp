@@ -1,38 +1,16 @@
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "sampler/shape_prior.h"
+#include "sampler/tangential_draw.h"
+#include "tests/sampler/kolmogorov.h"
 
 using namespace cps;
 
 namespace {
 
 constexpr int count = 20000;
-
-/// Kolmogorov's distance between a sample and a distribution, times √n; above 1.95 with probability .001
-/// (Kolmogorov 1933).
-template <typename Cdf>
-double kolmogorov(std::vector<double> sample, Cdf cdf) {
-  std::sort(sample.begin(), sample.end());
-  const double n = static_cast<double>(sample.size());
-  double distance = 0;
-  for (std::size_t i = 0; i < sample.size(); ++i) {
-    const double p = cdf(sample[i]), rank = static_cast<double>(i);
-    distance = std::max({distance, p - rank / n, (rank + 1) / n - p});
-  }
-  return distance * std::sqrt(n);
-}
-constexpr double one_in_a_thousand = 1.95;
-
-double normal_cdf(double x) {
-  return 0.5 * std::erfc(-x / std::sqrt(2.0));
-}
-
-double uniform_cdf(double x, double low, double high) {
-  return std::clamp((x - low) / (high - low), 0.0, 1.0);
-}
 
 Stream draw(int i) {
   return substream(make_stream(9, "shape"), i);
@@ -80,11 +58,11 @@ TEST_CASE("the corner of a radial lens moves as its shape says, and shapes witho
 
 TEST_CASE("tangential terms have a uniform length and a uniform direction") {
   std::vector<double> length, angle;
-  for (int i = 0; i < count; ++i)
-    if (const auto lens = draw_from_shape_prior(0.015, draw(i))) {
-      length.push_back(std::hypot(lens->p1, lens->p2));
-      angle.push_back(std::atan2(lens->p1, lens->p2));
-    }
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector2d p = draw_tangential(0.015, draw(i));
+    length.push_back(p.norm());
+    angle.push_back(std::atan2(p[0], p[1]));
+  }
   CHECK(kolmogorov(length, [](double x) { return uniform_cdf(x, 0, 0.015); }) < one_in_a_thousand);
   CHECK(kolmogorov(angle, [](double x) { return uniform_cdf(x, -M_PI, M_PI); }) < one_in_a_thousand);
 }
