@@ -26,16 +26,7 @@ FrameCertificate refused(FrameCertificate result, const std::string& why) {
 
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
                                const CertificateOptions& options) {
-  const FrameCertificate on_own_shape = certify_frame(lens, camera, frame_on_plane(camera), options);
-  if (on_own_shape.valid()) return on_own_shape;
-  const Pinhole centred{.width = camera.width,
-                        .height = camera.height,
-                        .fx = camera.fx,
-                        .fy = camera.fy,
-                        .cx = 0.5 * (camera.width - 1),
-                        .cy = 0.5 * (camera.height - 1)};
-  const FrameCertificate on_centred_shape = certify_frame(lens, camera, frame_on_plane(centred), options);
-  return on_centred_shape.valid() ? on_centred_shape : on_own_shape;
+  return certify_frame(lens, camera, frame_on_plane(camera), options);
 }
 
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,

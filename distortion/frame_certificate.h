@@ -22,8 +22,8 @@ struct FrameCertificate {
 /// The smallest rectangle B similar to `shape`, about the principal point, whose distorted rim stays outside
 /// the camera's frame, found by bisection, and the certificate on it. Valid: every pixel shows exactly one
 /// point of B. A camera without a size or a positive focal length, or with its principal point outside the
-/// frame, is refused. Without a shape, for calibrations that come without a master, the frame's own is tried,
-/// then one with the principal point in its middle, as a render has that was cropped to this frame.
+/// frame, is refused. Without a shape, the frame's own is taken: for calibrations that come without
+/// a master.
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
                                const CertificateOptions& options = {});
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,

@@ -65,9 +65,8 @@ TEST_CASE("KITTI's camera 3 does not reach two corners of its frame") {
   CHECK(nearest_shown_px(kitti[0], {1391.5, 511.5}) < 1);
 }
 
-TEST_CASE("a frame cropped about an off-centre principal point is certified as its render was") {
-  // A drawn lens that is one-to-one on its render of 115°, and folds on the rectangle that has the crop's
-  // shape.
+TEST_CASE("a lens that folds just beyond its frame is certified on it") {
+  // Drawn for a render of 115°; steps of 2 % outwards would jump from inside the frame to beyond the fold.
   const Distortion lens{-0.042635001885946405, 0.008895786961052175, -0.0033479210753974815,
                         -0.004881219735804383, 0.006637300129192834};
   const Pinhole crop{.width = 480,
@@ -76,11 +75,8 @@ TEST_CASE("a frame cropped about an off-centre principal point is certified as i
                      .fy = 184.62992132804624,
                      .cx = 226.14267081453917,
                      .cy = 139.42517524221512};
-  CHECK_FALSE(certify_frame(lens, crop, frame_on_plane(crop), one_to_one).valid());
   const FrameCertificate proof = certify_frame(lens, crop, one_to_one);
   REQUIRE(proof.valid());
-  const Eigen::AlignedBox2d render = frame_on_plane(pinhole_from_hfov(480, 270, radians(115)));
-  CHECK(render.contains(proof.rectangle));
   for (double x : {-0.5, 200.0, 479.5})
     for (double y : {-0.5, 100.0, 269.5})
       CHECK(undistort(lens, proof.rectangle, to_plane(crop, {x, y})).has_value());

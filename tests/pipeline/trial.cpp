@@ -28,8 +28,8 @@ Pinhole base_of(const LensSet& set) {
 std::vector<Trial> draw_trials(const LensSet& set, Stream stream) {
   std::vector<Trial> trials;
   for (int i = 0; i < set.lenses; ++i)
-    trials.push_back(
-        {.lens = draw_lens(base_of(set), {}, substream(stream, i)), .seen = frame_on_plane(base_of(set))});
+    trials.push_back({.lens = draw_lens(base_of(set), CropOrder::base_first, {}, substream(stream, i)),
+                      .seen = frame_on_plane(base_of(set))});
   return trials;
 }
 
