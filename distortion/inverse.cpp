@@ -1,5 +1,6 @@
 #include "distortion/inverse.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -67,6 +68,20 @@ std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::Al
   constexpr double inside = 1e-12;
   if (!(gradient.cwiseAbs().maxCoeff() <= inside * size)) return std::nullopt;
   return x;
+}
+
+std::optional<Eigen::Vector2d> undistort_near(const Distortion& lens, const Eigen::AlignedBox2d& box,
+                                              const Eigen::Vector2d& distorted,
+                                              const Eigen::Vector2d& guess) {
+  constexpr int most_steps = 4;
+  const double enough = 1e-14 * (1 + distorted.cwiseAbs().maxCoeff());
+  Eigen::Vector2d x = guess;
+  for (int step = 0; step < most_steps; ++step) {
+    const Eigen::Vector2d error = distort(lens, x) - distorted;
+    if (error.cwiseAbs().maxCoeff() <= enough && box.contains(x)) return x;
+    x -= distortion_jacobian(lens, x).inverse() * error;
+  }
+  return undistort(lens, box, distorted);
 }
 
 }  // namespace cps

@@ -18,4 +18,9 @@ namespace cps {
 std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::AlignedBox2d& box,
                                          const Eigen::Vector2d& distorted);
 
+/// The same from a guess: the ray of a neighbouring point of the image, for example. A few Newton steps, and
+/// undistort() where they do not arrive inside the box.
+std::optional<Eigen::Vector2d> undistort_near(const Distortion& lens, const Eigen::AlignedBox2d& box,
+                                              const Eigen::Vector2d& distorted, const Eigen::Vector2d& guess);
+
 }  // namespace cps

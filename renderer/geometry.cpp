@@ -146,6 +146,10 @@ float rounding_of(const WorldTriangle& triangle) {
   return 1e-6f * largest + 1e-6f;
 }
 
+bool is_shared(const Mesh& mesh, std::size_t placements) {
+  return placements > 1 && placements * mesh.triangles.size() > flatten_up_to_triangles;
+}
+
 PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
   for (const Mesh& mesh : scene.meshes) check_mesh(scene, mesh);
   std::vector<std::size_t> copies(scene.meshes.size(), 0);
@@ -173,8 +177,8 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
     // What is scaled to nothing has no surface (and no inverse).
     if (mesh.triangles.empty() || instance.world_from_mesh.linear().determinant() == 0) continue;
     Placement placement;
-    placement.shared =
-        copies[instance.mesh] > 1 && copies[instance.mesh] * mesh.triangles.size() > flatten_up_to_triangles;
+    placement.instance = static_cast<int>(&instance - scene.instances.data());
+    placement.shared = is_shared(mesh, copies[instance.mesh]);
     if (!placement.shared) {
       placement.geometry = static_cast<int>(jobs.size());
       jobs.push_back({&mesh, instance.world_from_mesh});

@@ -33,6 +33,7 @@ struct Geometry {
 /// Geometry put into the world.
 struct Placement {
   int geometry = 0;
+  int instance = 0;       ///< of the scene
   bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
   bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
@@ -58,6 +59,10 @@ WorldTriangle world_triangle(const PlacedGeometry& placed, std::uint32_t placeme
 
 /// Metres by which a point on it may be off through rounding.
 float rounding_of(const WorldTriangle& triangle);
+
+/// Whether placements of this mesh share one copy: below a size, copies in world coordinates trace faster
+/// than instances.
+bool is_shared(const Mesh& mesh, std::size_t placements);
 
 /// Flattens meshes that are placed once, or are so small that copies trace faster than instances, into world
 /// coordinates; shares the others. Throws std::runtime_error where an index or a number in the scene is off.

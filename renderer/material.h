@@ -13,7 +13,9 @@ namespace cps {
 /// Texture coordinates of a hit in both sets, and the footprint it is seen with.
 struct TextureFootprint {
   Eigen::Vector2f uv[2];
-  float log2_width[2];  ///< log2 of the footprint's width, in units of each uv set
+  float log2_width[2];  ///< log2 of the width that one lookup averages, in units of each uv set
+  int taps = 1;         ///< lookups in a row that cover the footprint
+  Eigen::Vector2f step[2] = {Eigen::Vector2f::Zero(), Eigen::Vector2f::Zero()};  ///< from one to the next
 };
 
 /// A texture as a material reads it.
@@ -28,7 +30,14 @@ struct TextureLookup {
   }
   Eigen::Array4f sample(const TextureFootprint& at) const {
     if (!texture) return Eigen::Array4f::Ones();
-    return texture->sample(coordinates(at.uv[uv_set]), at.log2_width[uv_set] + log2_texels_per_uv);
+    const float level = at.log2_width[uv_set] + log2_texels_per_uv;
+    if (at.taps == 1) return texture->sample(coordinates(at.uv[uv_set]), level);
+    Eigen::Array4f sum = Eigen::Array4f::Zero();
+    for (int tap = 0; tap < at.taps; ++tap) {
+      const float steps = static_cast<float>(tap) - 0.5f * static_cast<float>(at.taps - 1);
+      sum += texture->sample(coordinates(at.uv[uv_set] + steps * at.step[uv_set]), level);
+    }
+    return sum / static_cast<float>(at.taps);
   }
 };
 

@@ -105,7 +105,9 @@ void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface, 
     const ShadowRay shadow = towards_lamp(path, surface, sample);
     if (!shadow.wanted) return;
     ++rays;
-    path.radiance += scene.bvh.transmittance(shadow.ray) * shadow.contribution;
+    const Color light = scene.bvh.transmittance(shadow.ray) * shadow.contribution;
+    path.radiance += light;
+    if (path.record) path.record->vertices.back().lamps += light;
   };
   const Eigen::Vector2f which = path.sampler.pair(first_pair + pair_which_lamp);
   if (!scene.lamps.tree.empty()) {
@@ -113,6 +115,11 @@ void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface, 
                               path.sampler.pair(first_pair + pair_lamp)));
   }
   if (!scene.lamps.directions.empty()) gather(scene.lamps.sample_direction(which.y()));
+}
+
+void end_path(Path& path, const char* why) {
+  path.alive = false;
+  if (path.record) path.record->end = why;
 }
 
 /// The path's cone after a lobe of this width, and the roughness that it leaves to what comes.
@@ -132,7 +139,7 @@ bool gives_light(const RenderScene& scene, const Hit& hit) {
 void pass_straight(Path& path, const Surface& surface) {
   path.throughput *= surface.bsdf.straight;
   path.ray = surface.pass(path.ray);
-  path.alive = (path.throughput > 0.0f).any();
+  if (!(path.throughput > 0.0f).any()) end_path(path, "no more bounces");
 }
 
 /// Sends the path on in a direction of the BSDF's choice, or straight through glass, or ends it. What passes
@@ -148,16 +155,15 @@ void scatter(Path& path, const Surface& surface, std::uint32_t first_pair) {
     return;
   }
   const Vec3 direction = surface.shading.to_world(sample.wi);
-  path.alive = sample.pdf > 0.0f && surface.geometric_normal.dot(direction) > 0.0f;
-  if (!path.alive) return;
+  if (!(sample.pdf > 0.0f && surface.geometric_normal.dot(direction) > 0.0f))
+    return end_path(path, "scattered into the surface");
   path.throughput *= sample.weight;
 
   // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the
   // sun).
   const float survival = std::min(1.0f, std::sqrt(path.throughput.maxCoeff()));
   if (path.shaded_vertices > 0 && survival < 1.0f) {
-    path.alive = lobe_and_roulette.y() < survival;
-    if (!path.alive) return;
+    if (lobe_and_roulette.y() >= survival) return end_path(path, "Russian roulette");
     path.throughput /= survival;
   }
 
@@ -189,24 +195,18 @@ Hit first_visible(const RenderScene& scene, const Path& path, Hit hit, std::uint
   return hit;
 }
 
-void intersect_all(const RenderScene& scene, const Path (&paths)[packet_size], bool first,
-                   Hit (&hits)[packet_size], std::uint64_t& rays) {
-  if (first) {
-    Ray lanes[packet_size];
-    bool active[packet_size];
-    for (int i = 0; i < packet_size; ++i) lanes[i] = paths[i].ray, active[i] = paths[i].alive;
-    scene.bvh.intersect_coherent(lanes, active, hits);
-  }
-  for (int i = 0; i < packet_size; ++i) {
-    if (!paths[i].alive) continue;
-    ++rays;
-    if (!first) hits[i] = scene.bvh.intersect(paths[i].ray);
-    if (paths[i].ray.from_viewer) hits[i] = first_visible(scene, paths[i], hits[i], rays);
-  }
+void record_vertex(Path& path, const Hit& hit, const Surface& surface, const Color& emission) {
+  path.record->vertices.push_back({.hit = hit,
+                                   .position = surface.position,
+                                   .normal = surface.geometric_normal,
+                                   .footprint_m = path.cone_width,
+                                   .throughput = path.throughput,
+                                   .emission = emission});
 }
 
+/// Adds what the shadow rays bring; `kind` says where records note it.
 void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size], bool coherent,
-                Path (&paths)[packet_size], std::uint64_t& rays) {
+                Color VertexRecord::*kind, Path (&paths)[packet_size], std::uint64_t& rays) {
   Color transmittance[packet_size];
   if (coherent) {
     Ray lanes[packet_size];
@@ -218,11 +218,28 @@ void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size
     if (!shadows[i].wanted) continue;
     ++rays;
     if (!coherent) transmittance[i] = scene.bvh.transmittance(shadows[i].ray);
-    paths[i].radiance += transmittance[i] * shadows[i].contribution;
+    const Color light = transmittance[i] * shadows[i].contribution;
+    paths[i].radiance += light;
+    if (paths[i].record) paths[i].record->vertices.back().*kind += light;
   }
 }
 
 }  // namespace
+
+std::uint64_t first_hits(const RenderScene& scene, const Path (&paths)[packet_size],
+                         Hit (&hits)[packet_size]) {
+  Ray lanes[packet_size];
+  bool active[packet_size];
+  for (int i = 0; i < packet_size; ++i) lanes[i] = paths[i].ray, active[i] = paths[i].alive;
+  scene.bvh.intersect_coherent(lanes, active, hits);
+  std::uint64_t rays = 0;
+  for (int i = 0; i < packet_size; ++i) {
+    if (!active[i]) continue;
+    ++rays;
+    hits[i] = first_visible(scene, paths[i], hits[i], rays);
+  }
+  return rays;
+}
 
 std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
   std::uint64_t rays = 0;
@@ -234,28 +251,37 @@ std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Pat
     const bool first = step == 0;
     const std::uint32_t first_pair = pair_first_vertex + pairs_per_vertex * step;
     Hit hits[packet_size];
-    intersect_all(scene, paths, first, hits, rays);
+    if (first) rays += first_hits(scene, paths, hits);
 
     ShadowRay sun_rays[packet_size], sky_rays[packet_size];
     for (int i = 0; i < packet_size; ++i) {
       Path& path = paths[i];
       if (!path.alive) continue;
+      if (!first) {
+        hits[i] = scene.bvh.intersect(path.ray);
+        ++rays;
+        if (path.ray.from_viewer) hits[i] = first_visible(scene, path, hits[i], rays);
+      }
       if (!hits[i]) {
-        path.radiance += path.throughput * light_from_beyond(scene, path);
-        path.alive = false;
+        const Color light = path.throughput * light_from_beyond(scene, path);
+        path.radiance += light;
+        if (path.record) path.record->beyond = light;
+        end_path(path, "left the scene");
         continue;
       }
       const bool is_last = path.shaded_vertices == max_shaded_vertices;
       if (is_last && !gives_light(scene, hits[i])) {
-        path.alive = false;
+        end_path(path, "no more bounces");
         continue;
       }
       path.cone_width += path.cone_spread * hits[i].t;
       const Surface surface =
           make_surface(scene.placed, path.ray, hits[i], path.cone_width, path.least_roughness);
-      path.radiance += path.throughput * light_from_lamp(scene, path, hits[i], surface);
+      const Color emission = path.throughput * light_from_lamp(scene, path, hits[i], surface);
+      path.radiance += emission;
+      if (path.record) record_vertex(path, hits[i], surface, emission);
       if (!surface.scatters) {
-        path.alive = false;
+        end_path(path, "unlit");
         continue;
       }
       if (is_last) {
@@ -267,8 +293,8 @@ std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Pat
       if (has_lamps) gather_lamps(scene, path, surface, first_pair, rays);
       scatter(path, surface, first_pair);
     }
-    gather_all(scene, sun_rays, first, paths, rays);
-    gather_all(scene, sky_rays, false, paths, rays);
+    gather_all(scene, sun_rays, first, &VertexRecord::sun, paths, rays);
+    gather_all(scene, sky_rays, false, &VertexRecord::sky, paths, rays);
   }
   return rays;
 }

@@ -2,12 +2,13 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <string>
 
-#include "distortion/pinhole.h"
+#include "renderer/camera.h"
+#include "renderer/pixel_filter.h"
+#include "renderer/tiles.h"
 #include "scenes/daylight.h"
 #include "scenes/scene.h"
 
@@ -18,17 +19,13 @@ namespace cps {
 struct RenderScene;
 std::shared_ptr<const RenderScene> build_render_scene(const Scene& scene, const Daylight& daylight);
 
-/// An ideal camera in the world. Camera frame: x right, y down, z forward.
-struct Camera {
-  Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
-  Pinhole pinhole;
-};
-
 struct RenderOptions {
   int samples = 64;  ///< per pixel
   int max_shaded_vertices =
       5;  ///< surface points at which a path gathers light; the ray leaving the last may still see the sky
   std::uint64_t seed = 0;
+  PixelFilter filter = PixelFilter::box;
+  TileProgress progress = {};  ///< for people who wait
   bool is_valid(std::string* why) const;
 };
 
@@ -38,9 +35,20 @@ struct RenderSummary {
   std::string brief() const;
 };
 
-/// Linear Rec. 709 radiance, three float channels, box-filtered pixels. A pure function of its arguments: the
-/// same bytes for any number of threads (TBB decides how many).
+/// Linear Rec. 709 radiance, three float channels. A pure function of its arguments: the same bytes for any
+/// number of threads (TBB decides how many). `variance`: of every pixel's mean, as if its samples were
+/// independent; the Sobol points that they are do better. Throws std::runtime_error in one line: options, a
+/// camera without a size, a lens that is not one-to-one on the picture.
 OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
-                      RenderSummary* summary = nullptr);
+                      RenderSummary* summary = nullptr, OIIO::ImageBuf* variance = nullptr);
+
+/// A part of every pixel's samples, so that a picture can be refined: its mean over samples `first` …
+/// `first + count − 1` of the `options.samples` that it will have in the end.
+struct SampleRange {
+  int first = 0, count = 0;
+};
+OIIO::ImageBuf render_samples(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
+                              const SampleRange& range, RenderSummary* summary = nullptr,
+                              OIIO::ImageBuf* variance = nullptr);
 
 }  // namespace cps

@@ -13,12 +13,35 @@ Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
   return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
 }
 
-/// Texture coordinates at the hit, and the ray's footprint in their units (ray cones: Akenine-Möller et al.
-/// 2019): the cone's width, stretched by the cosine, times the square root of uv area over world area.
-TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, float width, float cosine) {
+/// So many times longer than wide may the part of a footprint be that one texture lookup averages. It then
+/// reaches √8 widths to the side, less than a pixel where a pixel has 16 rays or more.
+constexpr float elongation_of_a_tap = 8.0f;
+constexpr int most_taps = 8;
+
+/// Steps in barycentric (u, v) of a step in the triangle's plane.
+Eigen::Vector2f barycentric_step(const WorldTriangle& t, const Vec3& step) {
+  const Vec3 ab = t.positions[1] - t.positions[0], ac = t.positions[2] - t.positions[0];
+  const Vec3 normal = ab.cross(ac);
+  return Eigen::Vector2f(step.cross(ac).dot(normal), ab.cross(step).dot(normal)) / normal.squaredNorm();
+}
+
+/// Texture coordinates at the hit, and the ray's footprint in their units: the cone's (ray cones:
+/// Akenine-Möller et al. 2019), which the surface's slant stretches away from the viewer. A lookup averages a
+/// round area as large as its share of the footprint; what the viewer sees at a slant (roads) is covered by
+/// several in a row.
+TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, const Ray& ray, float width,
+                                   float cosine) {
   TextureFootprint footprint;
   const float world_area = t.normal.norm();
-  const float world_width = width / std::max(cosine, 1e-3f);
+  const float elongation = 1.0f / std::max(cosine, 1e-3f);
+  if (ray.from_viewer && world_area > 0.0f)
+    footprint.taps = std::clamp(static_cast<int>(elongation / elongation_of_a_tap + 0.5f), 1, most_taps);
+  const float tap_area = width * width * elongation / static_cast<float>(footprint.taps);
+  Eigen::Vector2f step = Eigen::Vector2f::Zero();
+  if (footprint.taps > 1) {
+    const Vec3 away = ray.direction - t.normal * (t.normal.dot(ray.direction) / (world_area * world_area));
+    step = barycentric_step(t, away.normalized() * (width * elongation / static_cast<float>(footprint.taps)));
+  }
   const int sets = t.geometry.uv1.empty() ? 1 : 2;
   for (int set = 0; set < sets; ++set) {
     const Eigen::Vector2f a = uv_of(t.geometry, set, t.corner.x()), b = uv_of(t.geometry, set, t.corner.y()),
@@ -26,12 +49,14 @@ TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, float
     footprint.uv[set] = interpolate(a, b, c, hit.u, hit.v);
     const Eigen::Vector2f ab = b - a, ac = c - a;
     const float uv_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
-    const float squared = world_width * world_width * uv_area / world_area;
+    const float squared = tap_area * uv_area / world_area;
     footprint.log2_width[set] = 0.5f * log2_of(std::clamp(squared, 1e-30f, 1e30f));
+    footprint.step[set] = ab * step.x() + ac * step.y();
   }
   if (sets == 1) {
     footprint.uv[1] = footprint.uv[0];
     footprint.log2_width[1] = footprint.log2_width[0];
+    footprint.step[1] = footprint.step[0];
   }
   return footprint;
 }
@@ -92,7 +117,7 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   const bool is_front = front.dot(wo) >= 0.0f;
   surface.geometric_normal = is_front ? front : Vec3(-front);
 
-  const TextureFootprint footprint = texture_footprint(t, hit, footprint_width, std::abs(front.dot(wo)));
+  const TextureFootprint footprint = texture_footprint(t, hit, ray, footprint_width, std::abs(front.dot(wo)));
   Vec3 normal = interpolate(unpack_direction(geometry.vertices[t.corner.x()].normal),
                             unpack_direction(geometry.vertices[t.corner.y()].normal),
                             unpack_direction(geometry.vertices[t.corner.z()].normal), hit.u, hit.v);
@@ -111,6 +136,7 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   surface.wo.z() = std::max(surface.wo.z(), 1e-4f);
 
   const Color base_color = geometry.base_color(hit.triangle, hit.u, hit.v, footprint).head<3>();
+  surface.base_color = base_color;
   const bool shows = is_front || material.double_sided;
   surface.emission = Color::Zero();
   surface.scatters = !material.unlit;

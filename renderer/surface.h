@@ -11,11 +11,12 @@ struct Surface {
   Vec3 position;
   Vec3 geometric_normal;  ///< on the ray's side
   Frame shading;
-  Vec3 wo;          ///< back along the ray, in the shading frame
-  Bsdf bsdf;        ///< not set where `scatters` is false
-  bool scatters;    ///< false for unlit materials, which take no light
-  Color emission;   ///< radiance towards wo
-  float clearance;  ///< metres that a ray must start off the surface, by rounding of the coordinates
+  Vec3 wo;           ///< back along the ray, in the shading frame
+  Bsdf bsdf;         ///< not set where `scatters` is false
+  bool scatters;     ///< false for unlit materials, which take no light
+  Color base_color;  ///< glTF's, with texture and vertex colours
+  Color emission;    ///< radiance towards wo
+  float clearance;   ///< metres that a ray must start off the surface, by rounding of the coordinates
 
   /// A ray away from here. Ends the light's leak through the surface: `wi` must be on wo's side of the true
   /// surface.

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "scenes/gltf/cameras.h"
 #include "scenes/gltf/container.h"
 #include "scenes/gltf/extensions.h"
 #include "scenes/gltf/instances.h"
@@ -41,6 +42,7 @@ Scene make_scene(Document& document) {
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);
   scene.lanes = read_lanes(document, index);
+  scene.cameras = read_cameras(document, nodes);
   warn_of_unread_extensions(document);
   if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
   return scene;

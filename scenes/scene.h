@@ -103,6 +103,13 @@ struct Lane {
   std::vector<Eigen::Vector3f> points;
 };
 
+/// A perspective camera that came with the scene. Camera frame: x right, y down, z forward.
+struct SceneCamera {
+  std::string name;
+  Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
+  double vfov_rad = 1;
+};
+
 struct Scene {
   std::string name, credits;  ///< credits: the file's asset.copyright, for dataset.json
   std::vector<Texture> textures;
@@ -111,6 +118,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<PunctualLight> lights;
   std::vector<Lane> lanes;
+  std::vector<SceneCamera> cameras;
   Eigen::AlignedBox3f bounds;  ///< of all instances, world
 };
 

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "apps/options.h"
+#include "apps/progress.h"
+#include "apps/render/error_curve.h"
+#include "apps/render/lens.h"
+#include "apps/render/output_file.h"
+#include "apps/render/replay.h"
+#include "apps/render/view.h"
+#include "apps/verbs.h"
+#include "renderer/aov.h"
+#include "renderer/memory_estimate.h"
+#include "scenes/diffuse_materials.h"
+#include "scenes/gltf_import.h"
+#include "sensor/develop.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+/// A scene made ready, and what is still told of it when its triangles have been handed over.
+struct LoadedScene {
+  Camera ideal;
+  std::vector<std::string> material_names;
+  std::shared_ptr<const RenderScene> ready;
+};
+
+constexpr double gib = 1 << 30;
+
+std::size_t bytes_allowed(const RenderRequest& request) {
+  return static_cast<std::size_t>(std::min(request.memory_gib, 1e6) * gib);
+}
+
+void require_memory(const RenderRequest& request, const Scene& scene) {
+  const double needed_gib = static_cast<double>(estimated_bytes(scene)) / gib;
+  if (request.memory_gib > 0 && needed_gib > request.memory_gib)
+    throw std::runtime_error(
+        fmt::format("{}: needs about {:.2f} GiB, --memory allows {:g}: allow more, or thin it out",
+                    request.scene.string(), needed_gib, request.memory_gib));
+}
+
+LoadedScene load(const RenderRequest& request) {
+  Scene scene = request.memory_gib > 0 ? import_gltf(request.scene, nullptr, bytes_allowed(request))
+                                       : import_gltf(request.scene);
+  if (request.materials == "diffuse") make_diffuse(scene);
+  require_memory(request, scene);
+  LoadedScene loaded{ideal_camera(request, scene), {}, build_render_scene(scene, request.light.daylight)};
+  for (const Material& material : scene.materials) loaded.material_names.push_back(material.name);
+  return loaded;
+}
+
+/// What --aov names; variance is the picture's own.
+struct WantedLayers {
+  std::vector<Aov> aovs;
+  bool variance = false;
+};
+
+WantedLayers wanted_layers(const RenderRequest& request) {
+  WantedLayers wanted;
+  if (!request.aov) return wanted;
+  std::vector<std::string> names = aov_names();
+  const bool can_vary = !request.lens || request.lens_in_camera;
+  if (can_vary) names.emplace_back("variance");
+  if (*request.aov != "all") names = flag_value<std::vector<std::string>>("aov", *request.aov);
+  for (const std::string& name : names) try {
+      if (name == "variance")
+        wanted.variance = true;
+      else
+        wanted.aovs.push_back(aov_from_string(name));
+    } catch (const std::runtime_error& error) {
+      throw po::error(std::string("--") + error.what() + ", variance");
+    }
+  if (wanted.variance && !can_vary) throw po::error("--aov variance: with a lens, needs --lens-in-camera");
+  return wanted;
+}
+
+/// Writes the picture; returns the exposure in stops, if one was needed.
+std::optional<double> write_picture(const RenderRequest& request, OIIO::ImageBuf picture,
+                                    std::vector<ImageLayer> layers) {
+  if (request.output.extension() == ".exr") {
+    layers.insert(layers.begin(), {"", std::move(picture)});
+    write_exr(request.output, layers);
+    return std::nullopt;
+  }
+  const double exposure = request.exposure_ev ? std::exp2(*request.exposure_ev) : meter_exposure(picture);
+  write_png(request.output, picture, exposure, request.render.seed);
+  return std::log2(exposure);
+}
+
+/// A line on a terminal, where somebody waits.
+void show_progress(RenderOptions& options) {
+  if (!isatty(STDERR_FILENO)) return;
+  const auto progress = std::make_shared<std::optional<Progress>>();
+  options.progress = [progress](int done, int total) {
+    if (done == 1) progress->emplace("tiles", 0, total);
+    (*progress)->advance(1, "");
+    if (done == total) (*progress)->finish();
+  };
+}
+
+}  // namespace
+
+int cps_render(const Arguments& arguments) {
+  RenderRequest request;
+  po::positional_options_description positional;
+  positional.add("scene", 1);
+  po::variables_map values;
+  if (!parse_options(arguments,
+                     "cps render SCENE -o FILE\nOne view of a glTF scene by path tracing, through a lens if "
+                     "one is given.\n",
+                     describe(request), positional, values)) {
+    return 0;
+  }
+  po::notify(values);
+  finish(request);
+  const WantedLayers wanted = wanted_layers(request);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+
+  const LoadedScene scene = load(request);
+  const LensView view = lens_view(request, scene.ideal);
+  if (request.replay) {
+    replay(*scene.ready, view.seen, request.render, *request.replay, scene.material_names, std::cout);
+    return 0;
+  }
+  show_progress(request.render);
+  RenderSummary summary;
+  OIIO::ImageBuf variance;
+  OIIO::ImageBuf picture =
+      request.reference
+          ? render_against(*scene.ready, view.seen, request.render, *request.reference, std::cout, &summary)
+          : render_through(*scene.ready, view, request, &summary, wanted.variance ? &variance : nullptr);
+  if (request.output.empty()) return 0;
+  std::vector<ImageLayer> layers = render_aovs(*scene.ready, view.seen, request.render, wanted.aovs);
+  if (wanted.variance) layers.push_back({"variance", std::move(variance)});
+  const std::optional<double> ev = write_picture(request, std::move(picture), std::move(layers));
+  std::cout << request.output.string() << ": " << summary.brief();
+  if (view.seen.lens) std::cout << ", H-FOV " << degrees(hfov_rad(view.seen.pinhole)) << " deg";
+  if (ev) std::cout << ", exposure " << std::round(*ev * 100) / 100 << " EV";
+  std::cout << "\n";
+  return 0;
+}
+
+}  // namespace cps

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "apps/render/light_options.h"
+#include "renderer/render.h"
+
+namespace cps {
+
+/// What `cps render` was asked for, as written.
+struct RenderRequest {
+  std::filesystem::path scene, output;
+  std::optional<std::string> size, camera, position, look_at;
+  std::optional<double> hfov_deg;
+  std::optional<std::string> lens, lens_camera;
+  bool lens_in_camera = false;
+  std::optional<std::string> aov, replay;
+  std::optional<std::filesystem::path> reference;
+  std::optional<double> exposure_ev;
+  std::string filter = "box", materials = "all";
+  double memory_gib = 0;  ///< 0: no limit
+  int threads = 0;        ///< 0: all
+  RenderOptions render;
+  LightRequest light;
+};
+
+/// Every option with its help text, bound to `request`.
+boost::program_options::options_description describe(RenderRequest& request);
+
+/// Fills in what the texts mean and refuses what contradicts itself: throws boost::program_options::error.
+void finish(RenderRequest& request);
+
+}  // namespace cps

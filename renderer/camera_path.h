@@ -1,0 +1,26 @@
+#pragma once
+
+#include "renderer/camera_rays.h"
+#include "renderer/path.h"
+#include "renderer/render.h"
+
+namespace cps {
+
+/// Where a picture's paths start.
+struct PathSource {
+  CameraRays rays;
+  PixelFilter filter;
+  std::uint64_t seed;
+  float footprint;  ///< share of a pixel's width that texture lookups average over
+};
+
+/// Throws as make_camera_rays().
+PathSource make_path_source(const Camera& camera, const RenderOptions& options);
+
+/// Sample `index` of a pixel, at the beginning of its path.
+Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index);
+
+/// The path through the pixel's very centre: what the pixel shows where nothing may be averaged.
+Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y);
+
+}  // namespace cps

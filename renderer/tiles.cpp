@@ -1,0 +1,46 @@
+#include "renderer/tiles.h"
+
+#include <tbb/parallel_for.h>
+#include <time.h>
+
+#include <atomic>
+#include <mutex>
+
+#include "renderer/flush_denormals.h"
+
+namespace cps {
+namespace {
+
+double thread_cpu_s() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double for_each_tile(int width, int height, const std::function<void(const Tile&)>& work,
+                     const TileProgress& progress) {
+  const int across = (width + Tile::side - 1) / Tile::side, down = (height + Tile::side - 1) / Tile::side;
+  const int total = across * down;
+  std::atomic<std::uint64_t> cpu_ns = 0;
+  std::mutex telling;
+  int done = 0;
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, total),
+      [&](const tbb::blocked_range<int>& tiles) {
+        const FlushDenormals flush_denormals;
+        const double cpu_begin = thread_cpu_s();
+        for (int tile = tiles.begin(); tile != tiles.end(); ++tile)
+          work({tile % across * Tile::side, tile / across * Tile::side});
+        cpu_ns += static_cast<std::uint64_t>(1e9 * (thread_cpu_s() - cpu_begin));
+        if (!progress) return;
+        const std::lock_guard lock(telling);
+        done += static_cast<int>(tiles.size());
+        progress(done, total);
+      },
+      tbb::simple_partitioner());
+  return 1e-9 * static_cast<double>(cpu_ns.load());
+}
+
+}  // namespace cps

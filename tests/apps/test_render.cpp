@@ -1,0 +1,124 @@
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "cps_program.h"
+#include "street_gltf.h"
+#include "tests/temporary_folder.h"
+
+using namespace cps;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Exr {
+  OIIO::ImageSpec spec;
+  std::vector<char> pixels;  ///< each channel in its own type
+
+  const char* channel(int x, int y, const std::string& name) const {
+    const int index = spec.channelindex(name);
+    REQUIRE(index >= 0);
+    std::size_t offset = 0;
+    for (int c = 0; c < index; ++c) offset += spec.channelformat(c).size();
+    return &pixels[(std::size_t(y) * spec.width + x) * spec.pixel_bytes(true) + offset];
+  }
+  float real(int x, int y, const std::string& name) const {
+    float value;
+    std::memcpy(&value, channel(x, y, name), sizeof value);
+    return value;
+  }
+  std::uint32_t id(int x, int y, const std::string& name) const {
+    REQUIRE(spec.channelformat(spec.channelindex(name)) == OIIO::TypeDesc::UINT32);
+    std::uint32_t value;
+    std::memcpy(&value, channel(x, y, name), sizeof value);
+    return value;
+  }
+};
+
+Exr read_exr(const fs::path& file) {
+  const auto in = OIIO::ImageInput::open(file.string());
+  REQUIRE(in);
+  Exr exr{in->spec(), std::vector<char>(in->spec().image_bytes(true))};
+  REQUIRE(in->read_image(0, 0, 0, -1, OIIO::TypeDesc::UNKNOWN, exr.pixels.data()));
+  return exr;
+}
+
+const std::string view = " --position=-150,1.65,-60 --look-at=0,1.65,-60 --size 64x36 --samples 4 ";
+
+void check_refused(const std::string& arguments, int status, const std::string& expected) {
+  const ProgramRun run = run_cps("render " + arguments);
+  INFO("cps render " << arguments << "\n" << run.output);
+  CHECK(run.exit_status == status);
+  CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
+  CHECK_THAT(run.output, Catch::StartsWith("cps: ") && Catch::Contains(expected));
+}
+
+}  // namespace
+
+TEST_CASE("render writes all layers through the lens into one EXR, ids as exact integers") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  for (const std::string how : {"", " --lens-in-camera"}) {
+    const fs::path out = folder / "a.exr";
+    const ProgramRun run = run_cps("render " + scene.string() + view + " --hfov 80 --lens k1=-0.05,p1=0.002" +
+                                   how + " --aov all -o " + out.string());
+    INFO(run.output);
+    REQUIRE(run.exit_status == 0);
+    const Exr exr = read_exr(out);
+    CHECK(exr.spec.width == 64);
+    CHECK(exr.spec.height == 36);
+    // The lowest row in the middle sees the road, 1.65 m below the camera.
+    CHECK(exr.real(32, 35, "position.Y") == Approx(0).margin(1e-4));
+    CHECK(exr.real(32, 35, "normal.Y") == Approx(1).margin(1e-3));
+    CHECK(exr.real(32, 35, "albedo.R") == Approx(0.3).margin(0.01));
+    CHECK(exr.id(32, 35, "instance.id") == 1);
+    CHECK(exr.id(32, 35, "material.id") == 1);
+    CHECK(exr.real(32, 35, "distance.Y") > exr.real(32, 35, "depth.Z"));
+    CHECK(exr.real(32, 35, "R") > 0);
+    CHECK((exr.spec.channelindex("variance.R") >= 0) == !how.empty());
+    CHECK(std::isinf(exr.real(32, 0, "depth.Z")));
+    CHECK(exr.id(32, 0, "instance.id") == 0);
+  }
+}
+
+TEST_CASE("render replays one sample and logs the error against a reference") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  const ProgramRun replay = run_cps("render " + scene.string() + view + "--replay 32,30,2");
+  INFO(replay.output);
+  REQUIRE(replay.exit_status == 0);
+  for (const char* part :
+       {"pixel 32, 30, sample 2", "vertex 0:", "material 0", "throughput", "end: ", "radiance "})
+    CHECK_THAT(replay.output, Catch::Contains(part));
+  check_refused(scene.string() + view + "--replay 64,3,0", 2, "--replay");
+
+  const std::string reference = (folder / "reference.exr").string();
+  REQUIRE(run_cps("render " + scene.string() + view + "--seed 9 --samples 32 -o " + reference).exit_status ==
+          0);
+  const ProgramRun curve =
+      run_cps("render " + scene.string() + view + "--samples 7 --reference " + reference);
+  REQUIRE(curve.exit_status == 0);
+  CHECK_THAT(curve.output, Catch::StartsWith("samples,cpu_s,rmse,rel_mse,bias\n1,") &&
+                               Catch::Contains("\n4,") && Catch::Contains("\n7,"));
+}
+
+TEST_CASE("render refuses lenses, cameras and layers that make no sense, in one line") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path;
+  const std::string scene = write_street_gltf(folder).string(), out = " -o " + (folder / "a.exr").string();
+  check_refused(scene + out + " --lens k1=-0.6 --lens-in-camera", 1, "k1");
+  check_refused(scene + out + " --lens k9=1", 2, "k9=1");
+  check_refused(scene + out + " --lens /nonexistent.yaml", 1, "/nonexistent.yaml");
+  check_refused(scene + out + " --lens-in-camera", 2, "--lens");
+  check_refused(scene + out + " --camera front", 1, "no perspective cameras");
+  check_refused(scene + out + " --aov depth,colour", 2, "colour");
+  check_refused(scene + out + " --filter wide", 2, "--filter wide");
+  check_refused(scene + " --aov all -o " + (folder / "a.png").string(), 2, "--aov");
+  check_refused(scene, 2, "--output");
+  check_refused(scene + out + " --sun-irradiance bright", 2, "--sun-irradiance bright");
+  check_refused(scene + out + " --sky /nonexistent.hdr", 1, "/nonexistent.hdr");
+  check_refused(scene + out + " --memory 1e-5", 1, "--memory allows 1e-05");
+  CHECK_FALSE(fs::exists(folder / "a.exr"));
+}
