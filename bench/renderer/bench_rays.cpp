@@ -96,7 +96,7 @@ void sun_rays_in_packets(benchmark::State& state) {
     for (std::size_t p = 0; p < rays.packets.size(); ++p) {
       Ray lanes[packet_size];
       bool active[packet_size];
-      float light[packet_size];
+      Color light[packet_size];
       for (int i = 0; i < packet_size; ++i) {
         active[i] = static_cast<bool>(rays.hits[p][i]);
         const Ray& seen = rays.packets[p][i].ray;

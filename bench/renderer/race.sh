@@ -3,18 +3,19 @@
 # A procedural city, Lambert materials, masked leaves, textures, sun and constant sky, one thread each, renders of both
 # interleaved in one run. Prints the samples and CPU seconds with which cps reaches the RMSE of Cycles' 64 samples, each
 # against its own converged picture (their texture filters differ), and how far the converged pictures are apart.
-# Needs Debian's blender and python3-numpy; keep FOLDER to look at the pictures. SIZE, SAMPLES, REFERENCE, EXTENT can be set.
+# Needs Debian's blender, python3-numpy and openimageio-tools; FOLDER keeps the pictures. SIZE, SAMPLES and REFERENCE
+# (samples of the converged pictures) can be set, and OPTIONS for Cycles' script alone (--nearest, --no-textures).
 set -euo pipefail
 out=$1 cps=${2:-build/release/bin/cps}
-SIZE=${SIZE:-348x128} SAMPLES=${SAMPLES:-64} REFERENCE=${REFERENCE:-2048} EXTENT=${EXTENT:-300}
+SIZE=${SIZE:-348x128} SAMPLES=${SAMPLES:-64} REFERENCE=${REFERENCE:-2048}
 mkdir -p "$out"
 script=$(dirname "$0")/cycles.py
 
-[ -e "$out/city.glb" ] || $cps city --seed 7 --extent-m "$EXTENT" -o "$out/city.glb"
-view=(--size "$SIZE" --hfov 70 "--position=$(cat "$out/position")" "--look-at=$(cat "$out/look_at")")
+[ -e "$out/city.glb" ] || $cps city --seed 7 --extent-m 300 -o "$out/city.glb"
+view=(--size "$SIZE" --hfov 70 --position=172,1.65,-4.9 --look-at=69.7,1.65,-183.2) # along a street of that city
 
 cycles() { # NAME SAMPLES [OPTIONS]
-  blender -b --factory-startup -P "$script" -- "$out/city.glb" "$out/$1.exr" "${view[@]}" --samples "$2" "${@:3}" 2>&1 |
+  blender -b --factory-startup -P "$script" -- "$out/city.glb" "$out/$1.exr" "${view[@]}" --samples "$2" ${OPTIONS:-} "${@:3}" 2>&1 |
     grep '^cycles:'
 }
 ours() { # NAME SAMPLES [OPTIONS]

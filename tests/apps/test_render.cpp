@@ -1,6 +1,5 @@
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 
@@ -45,15 +44,7 @@ Exr read_exr(const fs::path& file) {
   return exr;
 }
 
-const std::string view = " --position=-150,1.65,-60 --look-at=0,1.65,-60 --size 64x36 --samples 4 ";
-
-void check_refused(const std::string& arguments, int status, const std::string& expected) {
-  const ProgramRun run = run_cps("render " + arguments);
-  INFO("cps render " << arguments << "\n" << run.output);
-  CHECK(run.exit_status == status);
-  CHECK(std::count(run.output.begin(), run.output.end(), '\n') == 1);
-  CHECK_THAT(run.output, Catch::StartsWith("cps: ") && Catch::Contains(expected));
-}
+const std::string view = " --position=-150,1.65,-60 --look-at=0,1.65,-60 --size 64x36 ";
 
 }  // namespace
 
@@ -92,7 +83,7 @@ TEST_CASE("render replays one sample and logs the error against a reference") {
   for (const char* part :
        {"pixel 32, 30, sample 2", "vertex 0:", "material 0", "throughput", "end: ", "radiance "})
     CHECK_THAT(replay.output, Catch::Contains(part));
-  check_refused(scene.string() + view + "--replay 64,3,0", 2, "--replay");
+  check_refused("render " + scene.string() + view + "--replay 64,3,0", 2, "--replay");
 
   const std::string reference = (folder / "reference.exr").string();
   REQUIRE(run_cps("render " + scene.string() + view + "--seed 9 --samples 32 -o " + reference).exit_status ==
@@ -108,17 +99,17 @@ TEST_CASE("render refuses lenses, cameras and layers that make no sense, in one 
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path;
   const std::string scene = write_street_gltf(folder).string(), out = " -o " + (folder / "a.exr").string();
-  check_refused(scene + out + " --lens k1=-0.6 --lens-in-camera", 1, "k1");
-  check_refused(scene + out + " --lens k9=1", 2, "k9=1");
-  check_refused(scene + out + " --lens /nonexistent.yaml", 1, "/nonexistent.yaml");
-  check_refused(scene + out + " --lens-in-camera", 2, "--lens");
-  check_refused(scene + out + " --camera front", 1, "no perspective cameras");
-  check_refused(scene + out + " --aov depth,colour", 2, "colour");
-  check_refused(scene + out + " --filter wide", 2, "--filter wide");
-  check_refused(scene + " --aov all -o " + (folder / "a.png").string(), 2, "--aov");
-  check_refused(scene, 2, "--output");
-  check_refused(scene + out + " --sun-irradiance bright", 2, "--sun-irradiance bright");
-  check_refused(scene + out + " --sky /nonexistent.hdr", 1, "/nonexistent.hdr");
-  check_refused(scene + out + " --memory 1e-5", 1, "--memory allows 1e-05");
+  check_refused("render " + scene + out + " --lens k1=-0.6 --lens-in-camera", 1, "k1");
+  check_refused("render " + scene + out + " --lens k9=1", 2, "k9=1");
+  check_refused("render " + scene + out + " --lens /nonexistent.yaml", 1, "/nonexistent.yaml");
+  check_refused("render " + scene + out + " --lens-in-camera", 2, "--lens");
+  check_refused("render " + scene + out + " --camera front", 1, "no perspective cameras");
+  check_refused("render " + scene + out + " --aov depth,colour", 2, "colour");
+  check_refused("render " + scene + out + " --filter wide", 2, "--filter wide");
+  check_refused("render " + scene + " --aov all -o " + (folder / "a.png").string(), 2, "--aov");
+  check_refused("render " + scene, 2, "--output");
+  check_refused("render " + scene + out + " --sun-irradiance bright", 2, "--sun-irradiance bright");
+  check_refused("render " + scene + out + " --sky /nonexistent.hdr", 1, "/nonexistent.hdr");
+  check_refused("render " + scene + out + " --memory 1e-5", 1, "is longer than");
   CHECK_FALSE(fs::exists(folder / "a.exr"));
 }
