@@ -11,8 +11,8 @@ namespace cps {
 
 /// Reads a .glb or .gltf file (glTF 2.0): triangles, strips and fans with u8/u16/u32 indices or none, sparse,
 /// quantised and Draco-compressed data, node hierarchies, shared and GPU-instanced meshes, skins in rest
-/// pose, metallic-roughness materials and their extensions for glass, clear coats, specular and unlit colours,
-/// lamps (KHR_lights_punctual), textures from buffers, files and data URIs (PNG, JPEG, WebP, decoded
+/// pose, metallic-roughness materials and their extensions for glass, clear coats, specular and unlit
+/// colours, lamps (KHR_lights_punctual), textures from buffers, files and data URIs (PNG, JPEG, WebP, decoded
 /// by OpenImageIO). Missing normals are made, and missing tangents where a material has a normal map. Lanes
 /// come from the scene's `extras.cps_lanes`:
 /// `[{"street": "A", "width_m": 3.25, "points": [[x, y, z], …]}, …]`.

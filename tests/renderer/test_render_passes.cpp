@@ -76,7 +76,8 @@ TEST_CASE("A replayed path's contributions add up to its radiance, and to the pi
       paths[0].record = &record;
       trace_paths(scene, options.max_shaded_vertices, paths);
       Color sum = record.beyond;
-      for (const VertexRecord& vertex : record.vertices) sum += vertex.emission + vertex.sun + vertex.sky + vertex.lamps;
+      for (const VertexRecord& vertex : record.vertices)
+        sum += vertex.emission + vertex.sun + vertex.sky + vertex.lamps;
       REQUIRE((sum - paths[0].radiance).abs().maxCoeff() < 1e-5f);
       REQUIRE(std::string(record.end) != "");
       mean += paths[0].radiance / static_cast<float>(options.samples);
