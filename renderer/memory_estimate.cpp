@@ -7,7 +7,7 @@
 namespace cps {
 namespace {
 
-/// Of Embree 3.13's robust triangles at medium quality: see docs/renderer.md for the measurement.
+/// Of Embree 3.13's robust triangles at medium quality: a guess, not yet measured.
 constexpr std::size_t bvh_bytes_per_triangle = 200;
 
 template <class T>
