@@ -3,18 +3,18 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "scenes/city/block_plan.h"
-#include "scenes/city/glb_writer.h"
-#include "scenes/city/materials.h"
-#include "scenes/city/model_library.h"
-#include "scenes/city/road_markings.h"
-#include "scenes/city/road_surface.h"
-#include "scenes/city/roadside.h"
-#include "scenes/city/street_network.h"
-#include "scenes/city/strip.h"
-#include "scenes/city/surroundings.h"
-#include "scenes/city/textures.h"
-#include "scenes/city/tree.h"
+#include "scenes/city/buildings/block_plan.h"
+#include "scenes/city/geometry/glb_writer.h"
+#include "scenes/city/geometry/strip.h"
+#include "scenes/city/materials/materials.h"
+#include "scenes/city/materials/textures.h"
+#include "scenes/city/roadside/model_library.h"
+#include "scenes/city/roadside/roadside.h"
+#include "scenes/city/roadside/surroundings.h"
+#include "scenes/city/roadside/tree.h"
+#include "scenes/city/streets/road_markings.h"
+#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/street_network.h"
 
 namespace cps {
 

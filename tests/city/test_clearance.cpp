@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "scenes/city/roadside.h"
-#include "scenes/city/surroundings.h"
+#include "scenes/city/roadside/roadside.h"
+#include "scenes/city/roadside/surroundings.h"
 
 using namespace cps;
 using namespace cps::city;

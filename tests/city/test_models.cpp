@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "scenes/city/building.h"
-#include "scenes/city/road_surface.h"
-#include "scenes/city/street_furniture.h"
-#include "scenes/city/tree.h"
-#include "scenes/city/vehicle.h"
+#include "scenes/city/buildings/building.h"
+#include "scenes/city/roadside/street_furniture.h"
+#include "scenes/city/roadside/tree.h"
+#include "scenes/city/roadside/vehicle.h"
+#include "scenes/city/streets/road_surface.h"
 
 using namespace cps;
 using namespace cps::city;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scenes/city/plan_geometry.h"
+#include "scenes/city/geometry/plan_geometry.h"
 
 using namespace cps::city;
 

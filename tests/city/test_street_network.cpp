@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "scenes/city/street_network.h"
+#include "scenes/city/streets/street_network.h"
 
 using namespace cps;
 using namespace cps::city;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "scenes/city/textures.h"
+#include "scenes/city/materials/textures.h"
 
 using namespace cps;
 using namespace cps::city;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scenes/city/draws.h"
+#include "scenes/city/geometry/footprint.h"
+#include "scenes/city/materials/materials.h"
+
+namespace cps::city {
+
+enum class RoofKind { flat, gable, hip, mansard };
+
+/// How high a flat roof's parapet stands above the last ceiling.
+inline constexpr double parapet_m = 0.5;
+
+struct RoofPlan {
+  RoofKind kind = RoofKind::gable;
+  double pitch_deg = 40;
+  bool free_start = false, free_end = false;  ///< no neighbour there: the roof projects
+  WallMaterial wall;                          ///< of gables
+  bool dormers = false;
+};
+
+/// The roof over a footprint whose walls end at `eaves` metres; returns the height of its highest point.
+double add_roof(Mesh& mesh, const Footprint& footprint, double eaves, const RoofPlan& plan,
+                const Materials& materials, Draws& draws);
+
+}  // namespace cps::city

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/city/geometry/glb_writer.h"
+
+namespace cps::city {
+
+/// A facade's material and the size of its texture tile.
+struct WallMaterial {
+  MaterialId material = 0;
+  double tile_m = 1;
+};
+
+/// Every material of one city. Colours and the facade mix differ from seed to seed.
+struct Materials {
+  MaterialId asphalt, asphalt_patch, tar, paving, kerb, gutter, grass, soil, road_paint, manhole;
+  std::vector<WallMaterial> plaster, brick, concrete;
+  WallMaterial stone;  ///< plinths, cornices
+  MaterialId trim;     ///< sills and window surrounds
+  MaterialId glass, curtained_glass, shutter, frame_white, frame_dark, door_wood, door_dark, awning;
+  std::vector<MaterialId> shop_sign;
+  MaterialId roof_tiles, roof_flat, roof_metal;
+  std::vector<MaterialId> leaves;  ///< broad-leaved kinds
+  MaterialId needles, bark, hedge_core;
+  std::vector<MaterialId> car_paint;
+  MaterialId car_glass, tyre, rim, car_trim, head_light, tail_light, number_plate;
+  MaterialId pole, lamp_glass, sign_red, sign_white, sign_blue, signal_red, signal_green, signal_off, wood;
+  MaterialId terrain, far_wall, far_roof;
+};
+
+Materials make_materials(GlbWriter& writer, std::uint64_t seed);
+
+}  // namespace cps::city

@@ -1,0 +1,93 @@
+#include "scenes/city/roadside/model_library.h"
+
+#include <cmath>
+
+#include "scenes/city/buildings/building.h"
+#include "scenes/city/roadside/tree.h"
+#include "scenes/city/roadside/vehicle.h"
+
+namespace cps::city {
+namespace {
+
+Model store(GlbWriter& writer, const Mesh& mesh, double half_length, double half_width,
+            ModelKind kind = ModelKind::furniture, double crown_radius = 0) {
+  return {kind, writer.add_mesh(mesh), mesh.name, half_length, half_width, crown_radius};
+}
+
+void add_trees(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
+  const std::vector<TreeSpecies>& species = tree_species();
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    std::vector<Model> variants;
+    const int count = species[s].cards > 1400 ? 2 : 3;
+    for (int v = 0; v < count; ++v) {
+      const Stream stream = substream(substream(make_stream(seed, "tree"), s), v);
+      const MaterialId leaves =
+          species[s].conifer ? m.needles : m.leaves[random_below(substream(stream, 1), 0, m.leaves.size())];
+      Mesh mesh = tree(species[s], leaves, m.bark, stream);
+      mesh.name.append(" ").append(std::to_string(v));
+      const double trunk = species[s].trunk_radius_m * 1.5;
+      variants.push_back(store(writer, mesh, trunk, trunk, ModelKind::tree, species[s].crown_radius_m + 0.5));
+    }
+    library.trees.push_back(std::move(variants));
+  }
+}
+
+void add_cars(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
+  constexpr double mirror_m = 0.17;
+  for (const VehicleClass& c : vehicle_classes()) {
+    std::vector<Model> paints;
+    for (std::size_t p = 0; p < m.car_paint.size(); ++p) {
+      Model model{ModelKind::car, 0, c.name, c.length_m / 2 + 0.03, c.width_m / 2 + mirror_m, 0};
+      model.mesh = p == 0 ? writer.add_mesh(vehicle(c, m, m.car_paint[0]))
+                          : writer.add_variant(paints[0].mesh, c.name, m.car_paint[0], m.car_paint[p]);
+      paints.push_back(model);
+    }
+    library.cars.push_back(std::move(paints));
+  }
+}
+
+void add_far_houses(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
+  for (int i = 0; i < 7; ++i) {
+    Draws draws{substream(make_stream(seed, "far house"), i)};
+    const double width = draws.uniform(10, i < 4 ? 16 : 30), depth = draws.uniform(9, 13);
+    BuildingPlan plan;
+    plan.footprint = make_footprint({{-width / 2, -depth / 2}, {width / 2, -depth / 2}}, depth);
+    plan.storeys = i < 4 ? draws.integer(2, 3) : draws.integer(5, 11);
+    plan.roof = i < 4 ? (draws.chance(0.5) ? RoofKind::gable : RoofKind::hip) : RoofKind::flat;
+    plan.distant = true;
+    Mesh mesh = building(plan, m, substream(draws.stream, 1));
+    mesh.name = "far house " + std::to_string(i);
+    library.far_houses.push_back(store(writer, mesh, width / 2, depth / 2, ModelKind::house));
+  }
+}
+
+}  // namespace
+
+ModelLibrary make_models(GlbWriter& writer, const Materials& m, std::uint64_t seed) {
+  ModelLibrary library;
+  add_trees(library, writer, m, seed);
+  add_cars(library, writer, m);
+  add_far_houses(library, writer, m, seed);
+  library.lamp = store(writer, street_lamp(m, 8.0, 1.2), 0.1, 0.1);
+  library.tall_lamp = store(writer, street_lamp(m, 9.8, 2.0), 0.1, 0.1);
+  library.bollard = store(writer, bollard(m), 0.06, 0.06);
+  library.bin = store(writer, bin(m), 0.4, 0.2);
+  library.bench = store(writer, bench(m), 0.35, 0.9);
+  library.switch_box = store(writer, switch_box(m), 0.2, 0.62);
+  library.hedge = store(writer, hedge(m, hedge_module_m, 1.15, make_stream(seed, "hedge")),
+                        hedge_module_m / 2, 0.4, ModelKind::hedge);
+  for (const SignKind kind : {SignKind::no_stopping, SignKind::yield, SignKind::priority, SignKind::parking,
+                              SignKind::crossing, SignKind::speed})
+    library.signs.push_back(store(writer, traffic_sign(m, kind), 0.3, 0.06));
+  library.traffic_light_red = store(writer, traffic_light(m, false), 0.15, 0.3);
+  library.traffic_light_green = store(writer, traffic_light(m, true), 0.15, 0.3);
+  return library;
+}
+
+Polygon PlacedModel::footprint() const {
+  const Vec2 along(std::cos(heading_rad), std::sin(heading_rad));
+  const Vec2 a = along * (model->half_length * scale), b = left_of(along) * (model->half_width * scale);
+  return {position - a - b, position + a - b, position + a + b, position - a + b};
+}
+
+}  // namespace cps::city

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "scenes/city/draws.h"
+#include "scenes/city/materials/materials.h"
+#include "scenes/city/roadside/street_furniture.h"
+
+/// Everything that stands in the city more than once: stored as one mesh, placed by many nodes.
+namespace cps::city {
+
+enum class ModelKind { tree, hedge, car, furniture, house };
+
+struct Model {
+  ModelKind kind = ModelKind::furniture;
+  int mesh = 0;
+  std::string name;
+  double half_length = 0,
+         half_width = 0;    ///< of the ground it needs below head height, along and across its +x
+  double crown_radius = 0;  ///< trees: what it needs above
+};
+
+struct ModelLibrary {
+  std::vector<std::vector<Model>> trees;  ///< [species, in tree_species()'s order][variant]
+  std::vector<std::vector<Model>> cars;   ///< [class, in vehicle_classes()'s order][paint]
+  Model lamp, tall_lamp, bollard, bin, bench, switch_box, hedge;
+  std::vector<Model> signs;  ///< by SignKind
+  Model traffic_light_red, traffic_light_green;
+  std::vector<Model> far_houses;
+};
+
+inline constexpr double hedge_module_m = 2.0;
+
+ModelLibrary make_models(GlbWriter& writer, const Materials& materials, std::uint64_t seed);
+
+/// One of them, standing.
+struct PlacedModel {
+  const Model* model = nullptr;
+  Vec2 position;
+  double height = 0, heading_rad = 0, scale = 1;
+
+  /// The ground it covers.
+  Polygon footprint() const;
+};
+
+}  // namespace cps::city

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "scenes/city/materials/materials.h"
+#include "scenes/city/streets/street_network.h"
+
+namespace cps::city {
+
+/// What is painted where an arm of a junction begins, in metres from where its own carriageway begins.
+struct Approach {
+  bool crossing = false, stop_line = false;
+  double crossing_from_m = 0.5, crossing_length_m = 3.5, stop_line_at_m = 5.0;
+  /// Up to here no car parks and no centre line is dashed.
+  double clear_m = 7;
+};
+
+/// The approach at one end of a segment (`at_end`: where the segment ends), drawn once per arm.
+Approach approach(const StreetNetwork& network, int segment, bool at_end, std::uint64_t seed);
+
+/// Lane, centre and edge lines, parking bays, stop lines and zebra crossings of one street.
+Mesh road_markings(const StreetNetwork& network, int street, const Materials& materials, std::uint64_t seed);
+
+}  // namespace cps::city

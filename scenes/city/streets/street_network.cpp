@@ -1,0 +1,200 @@
+#include "scenes/city/streets/street_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scenes/city/draws.h"
+
+namespace cps::city {
+
+Polyline StreetNetwork::line(const Side& side, double left_m) const {
+  Polyline centre = segments[side.segment].centre;
+  if (side.reversed) std::reverse(centre.begin(), centre.end());
+  return offset(centre, left_m);
+}
+
+Polyline StreetNetwork::kerb_line(const Side& side, double inset_m) const {
+  return line(side, segments[side.segment].half_width + inset_m);
+}
+
+double StreetNetwork::corner_radius(const Side& side) const {
+  const Junction& junction = junctions[end(side)];
+  const Side twin{side.segment, !side.reversed};
+  const auto arm = std::find(junction.arms.begin(), junction.arms.end(), twin);
+  const std::size_t i = arm - junction.arms.begin();
+  return junction.radii[(i + junction.arms.size() - 1) % junction.arms.size()];
+}
+
+void find_blocks(StreetNetwork& network) {
+  for (Junction& junction : network.junctions) junction.arms.clear();
+  for (int s = 0; s < static_cast<int>(network.segments.size()); ++s) {
+    network.junctions[network.segments[s].from].arms.push_back({s, false});
+    network.junctions[network.segments[s].to].arms.push_back({s, true});
+  }
+  const auto heading = [&](const Side& side) {
+    const Polyline line = network.line(side, 0);
+    return std::atan2(line[1].y() - line[0].y(), line[1].x() - line[0].x());
+  };
+  for (Junction& junction : network.junctions)
+    std::sort(junction.arms.begin(), junction.arms.end(),
+              [&](const Side& a, const Side& b) { return heading(a) < heading(b); });
+
+  network.blocks.clear();
+  std::vector<std::array<bool, 2>> seen(network.segments.size(), {false, false});
+  for (int s = 0; s < static_cast<int>(network.segments.size()); ++s)
+    for (const bool reversed : {false, true}) {
+      if (seen[s][reversed]) continue;
+      Block block;
+      Polygon corners;
+      Side side{s, reversed};
+      do {  // keep left: at each junction take the arm clockwise of the way back
+        seen[side.segment][side.reversed] = true;
+        block.sides.push_back(side);
+        block.at_rim |= !network.is_road(side);
+        corners.push_back(network.junctions[network.start(side)].position);
+        const std::vector<Side>& arms = network.junctions[network.end(side)].arms;
+        const auto back = std::find(arms.begin(), arms.end(), Side{side.segment, !side.reversed});
+        side = arms[(back - arms.begin() + arms.size() - 1) % arms.size()];
+      } while (!(side == Side{s, reversed}));
+      if (signed_area(corners) > 0) network.blocks.push_back(std::move(block));
+    }
+}
+
+namespace {
+
+/// The corner between two kerb lines that meet at a junction.
+struct Corner {
+  Vec2 point, direction_in, direction_out;
+  double turn = 0;
+};
+
+Corner corner_between(const Polyline& in, const Polyline& out) {
+  Corner corner;
+  corner.direction_in = (in[in.size() - 1] - in[in.size() - 2]).normalized();
+  corner.direction_out = (out[1] - out[0]).normalized();
+  const double sine = cross(corner.direction_in, corner.direction_out);
+  corner.turn = std::atan2(sine, corner.direction_in.dot(corner.direction_out));
+  if (std::abs(corner.turn) < straight_on_rad)
+    corner.point = (in.back() + out.front()) / 2;
+  else
+    corner.point =
+        in.back() + corner.direction_in * (cross(out.front() - in.back(), corner.direction_out) / sine);
+  return corner;
+}
+
+constexpr int arc_steps = 8;  // of a rounded kerb
+
+bool is_rounded(const StreetNetwork& network, const Side& in, const Side& out, const Corner& corner) {
+  return network.is_road(in) && network.is_road(out) && corner.turn > straight_on_rad;
+}
+
+}  // namespace
+
+void shape_junctions(StreetNetwork& network, std::uint64_t seed) {
+  for (std::size_t j = 0; j < network.junctions.size(); ++j) {
+    Junction& junction = network.junctions[j];
+    Draws draws{substream(make_stream(seed, "junction"), j)};
+    junction.radii.assign(junction.arms.size(), 0);
+    for (std::size_t i = 0; i < junction.arms.size(); ++i) {
+      const Side out = junction.arms[(i + 1) % junction.arms.size()];
+      const Side in = junction.arms[i];
+      const double radius = draws.uniform(4.5, 8.0);
+      // Seen from the block between them, arm i + 1 arrives (against its direction) and arm i leaves.
+      const Corner corner =
+          corner_between(network.kerb_line({out.segment, !out.reversed}), network.kerb_line(in));
+      if (!is_rounded(network, in, out, corner)) continue;
+      junction.radii[i] = radius;
+      const double tangent = radius * std::tan(corner.turn / 2);
+      for (const auto& [side, direction] :
+           {std::pair{out, Vec2(-corner.direction_in)}, std::pair{in, corner.direction_out}}) {
+        const double station = (corner.point + direction * tangent - junction.position).dot(direction);
+        Segment& segment = network.segments[side.segment];
+        double& cut = side.reversed ? segment.cut_to : segment.cut_from;
+        cut = std::max(cut, station);
+      }
+    }
+  }
+}
+
+Polygon junction_border(const StreetNetwork& network, int junction) {
+  const std::vector<Side>& arms = network.junctions[junction].arms;
+  Polygon border;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const Side arm = arms[i], next = arms[(i + 1) % arms.size()];
+    if (network.is_road(arm)) {
+      const Segment& segment = network.segments[arm.segment];
+      const Station at = station_at(network.line(arm, 0), arm.reversed ? segment.cut_to : segment.cut_from);
+      border.push_back(at.point - left_of(at.direction) * segment.half_width);
+      border.push_back(at.point + left_of(at.direction) * segment.half_width);
+    }
+    // Out along this arm's left kerb is against the block's direction there: the block arrives on the next
+    // arm.
+    const Side arrives{next.segment, !next.reversed};
+    const Corner corner = corner_between(network.kerb_line(arrives), network.kerb_line(arm));
+    if (is_rounded(network, arrives, arm, corner)) {
+      const Polyline arc = fillet(corner.point, corner.direction_in, corner.direction_out,
+                                  network.junctions[junction].radii[i], arc_steps);
+      border.insert(border.end(), arc.rbegin(), arc.rend());
+    } else {
+      border.push_back(corner.point);
+    }
+  }
+  return border;
+}
+
+Outline outline(const StreetNetwork& network, const Block& block, const std::vector<double>& inset_m,
+                double corner_shrink_m) {
+  const std::size_t n = block.sides.size();
+  std::vector<Polyline> lines(n);
+  for (std::size_t i = 0; i < n; ++i) lines[i] = network.kerb_line(block.sides[i], inset_m[i]);
+  std::vector<Polyline> arcs(n);  // at the end of side i
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    const Corner corner = corner_between(lines[i], lines[next]);
+    if (is_rounded(network, block.sides[i], block.sides[next], corner))
+      arcs[i] = fillet(corner.point, corner.direction_in, corner.direction_out,
+                       std::max(0.0, network.corner_radius(block.sides[i]) - corner_shrink_m), arc_steps);
+    else
+      arcs[i] = {corner.point};
+  }
+  Outline result;
+  const auto add = [&](const Vec2& point, std::size_t side, bool corner) {
+    result.points.push_back(point);
+    result.side.push_back(static_cast<int>(side));
+    result.corner.push_back(corner);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 1; k + 1 < lines[i].size(); ++k) add(lines[i][k], i, false);
+    for (std::size_t k = 0; k + 1 < arcs[i].size(); ++k) add(arcs[i][k], i, true);
+    add(arcs[i].back(), (i + 1) % n, false);
+  }
+  return result;
+}
+
+std::vector<DrivingLane> lanes(const StreetNetwork& network) {
+  std::vector<DrivingLane> result;
+  for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
+    const Street& street = network.streets[s];
+    Polyline centre;
+    for (int segment : street.segments) {
+      const Polyline& piece = network.segments[segment].centre;
+      centre.insert(centre.end(), piece.begin() + (centre.empty() ? 0 : 1), piece.end());
+    }
+    // A street ends in the middle of the crossing one: its lanes stop at that junction's edge.
+    const Segment &first = network.segments[street.segments.front()],
+                  &last = network.segments[street.segments.back()];
+    centre = cut(centre, first.cut_from, length(centre) - last.cut_to);
+    const StreetProfile& profile = street.profile;
+    for (int lane = 0; lane < profile.lanes_forward; ++lane)
+      result.push_back({s, profile.lane_width_m, offset(centre, profile.forward_lane_offset(lane))});
+    for (int lane = 0; lane < profile.lanes_backward; ++lane) {
+      Polyline points = offset(centre, profile.backward_lane_offset(lane));
+      std::reverse(points.begin(), points.end());
+      result.push_back({s, profile.lane_width_m, std::move(points)});
+    }
+  }
+  return result;
+}
+
+}  // namespace cps::city
