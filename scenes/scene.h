@@ -101,6 +101,7 @@ struct Lane {
   std::string street;  ///< lanes of one street see the same houses, so they stay in one split
   float width_m = 3.25f;
   std::vector<Eigen::Vector3f> points;
+  std::vector<int> next;  ///< lanes (indices into Scene::lanes) that go on where it ends; may be empty
 };
 
 /// A perspective camera that came with the scene. Camera frame: x right, y down, z forward.

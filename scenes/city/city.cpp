@@ -12,6 +12,7 @@
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/roadside/tree.h"
+#include "scenes/city/streets/driving_lanes.h"
 #include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/road_surface.h"
 #include "scenes/city/streets/street_network.h"
@@ -87,16 +88,16 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummar
   }
 }
 
-nlohmann::ordered_json lanes_as_json(const StreetNetwork& network,
-                                     const std::vector<DrivingLane>& driving_lanes) {
+nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::vector<DrivingLane>& lanes) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const DrivingLane& lane : driving_lanes) {
+  for (const DrivingLane& lane : lanes) {
     nlohmann::ordered_json points = nlohmann::ordered_json::array();
     for (const Vec2& p : lane.points)
       points.push_back({std::round(p.x() * 1e3) / 1e3, 0.0, std::round(-p.y() * 1e3) / 1e3});
     list.push_back({{"street", network.streets[lane.street].name},
                     {"width_m", std::round(lane.width_m * 1e3) / 1e3},
-                    {"points", std::move(points)}});
+                    {"points", std::move(points)},
+                    {"next", lane.next}});
   }
   return list;
 }
@@ -129,15 +130,15 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   add_static(writer, around.terrain, around.terrain.name);
   place(writer, around.models, summary);
 
-  const std::vector<DrivingLane> driving_lanes = lanes(network);
-  for (const DrivingLane& lane : driving_lanes) summary.lane_km += length(lane.points) / 1000;
+  const std::vector<DrivingLane> lanes = driving_lanes(network);
+  for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
   summary.streets = network.streets.size();
   summary.junctions = network.junctions.size();
   summary.blocks = network.blocks.size();
-  summary.lanes = driving_lanes.size();
+  summary.lanes = lanes.size();
   summary.triangles = writer.stored_triangles();
   summary.instanced_triangles = writer.instanced_triangles();
-  summary.bytes = writer.write(file, {{"cps_lanes", lanes_as_json(network, driving_lanes)}});
+  summary.bytes = writer.write(file, {{"cps_lanes", lanes_as_json(network, lanes)}});
   return summary;
 }
 

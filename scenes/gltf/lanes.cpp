@@ -36,6 +36,26 @@ Lane read_lane(const Document& document, const tinygltf::Value& value, const std
   return lane;
 }
 
+/// Indices of the lanes that go on where this one ends; none where the scene does not say.
+std::vector<int> read_next(const Document& document, const tinygltf::Value& value, int lane_count,
+                           const std::string& where) {
+  std::vector<int> next;
+  if (!value.Has("next")) return next;
+  const tinygltf::Value& list = value.Get("next");
+  const auto is_lane = [&](const tinygltf::Value& v) {
+    return v.IsInt() && v.GetNumberAsInt() >= 0 && v.GetNumberAsInt() < lane_count;
+  };
+  bool valid = list.IsArray();
+  for (std::size_t i = 0; i < list.ArrayLen() && valid; ++i) {
+    valid = is_lane(list.Get(static_cast<int>(i)));
+    if (valid) next.push_back(list.Get(static_cast<int>(i)).GetNumberAsInt());
+  }
+  if (!valid)
+    refuse(document, where + ".next",
+           "must be an array of lane numbers, 0 to " + std::to_string(lane_count - 1));
+  return next;
+}
+
 }  // namespace
 
 std::vector<Lane> read_lanes(const Document& document, int scene) {
@@ -46,9 +66,12 @@ std::vector<Lane> read_lanes(const Document& document, int scene) {
   const tinygltf::Value& list = extras.Get("cps_lanes");
   const std::string where = element("scenes", scene) + ".extras.cps_lanes";
   if (!list.IsArray()) refuse(document, where, "must be an array of lanes");
-  for (std::size_t i = 0; i < list.ArrayLen(); ++i)
-    lanes.push_back(
-        read_lane(document, list.Get(static_cast<int>(i)), where + "[" + std::to_string(i) + "]"));
+  const int count = static_cast<int>(list.ArrayLen());
+  for (int i = 0; i < count; ++i) {
+    const std::string name = where + "[" + std::to_string(i) + "]";
+    lanes.push_back(read_lane(document, list.Get(i), name));
+    lanes.back().next = read_next(document, list.Get(i), count, name);
+  }
   return lanes;
 }
 

@@ -8,7 +8,7 @@
 namespace cps::gltf {
 
 /// The lanes in `extras.cps_lanes` of a glTF scene (−1: none), checked: a street's name, a width of 1 to 20
-/// m, two or more finite points that do not repeat.
+/// m, two or more finite points that do not repeat, and `next`, if there, a list of lane numbers.
 std::vector<Lane> read_lanes(const Document& document, int scene);
 
 }  // namespace cps::gltf

@@ -110,6 +110,7 @@ TEST_CASE("a city's file is a function of its options, and reads back sane") {
     CHECK(lane.Get("width_m").GetNumberAsDouble() >= 3.0);
     const tinygltf::Value& points = lane.Get("points");
     REQUIRE(points.ArrayLen() >= 2);
+    CHECK(lane.Get("next").ArrayLen() > 0);
     for (std::size_t k = 1; k < points.ArrayLen(); ++k) {
       const auto at = [&](std::size_t j, int axis) {
         return points.Get(static_cast<int>(j)).Get(axis).GetNumberAsDouble();

@@ -2,6 +2,7 @@
 
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
+#include "scenes/city/streets/driving_lanes.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -42,7 +43,7 @@ TEST_CASE("every lane is free of cars, trees, poles and houses") {
     const CityOptions options{.seed = seed};
     const StreetNetwork network = draw_street_network(options);
     const CityCharacter character = draw_character(seed);
-    const std::vector<DrivingLane> all = lanes(network);
+    const std::vector<DrivingLane> all = driving_lanes(network);
     int cars = 0, others = 0;
     for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
       const BlockPlan plan = plan_block(network, b, character, seed);

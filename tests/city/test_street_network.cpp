@@ -54,57 +54,6 @@ TEST_CASE("streets leave room for the blocks between them") {
   }
 }
 
-TEST_CASE("lanes have real widths, keep to the right and stay on the carriageway") {
-  for (std::uint64_t seed = 0; seed < 25; ++seed) {
-    INFO("seed " << seed);
-    const StreetNetwork network = network_of(seed);
-    const std::vector<DrivingLane> all = lanes(network);
-    std::set<int> streets;
-    for (const DrivingLane& lane : all) {
-      streets.insert(lane.street);
-      CHECK(lane.width_m >= 3.0);
-      CHECK(lane.width_m <= 3.75);
-      CHECK(length(lane.points) > 20);
-      for (std::size_t i = 2; i < lane.points.size(); ++i) {  // no kink a car could not drive
-        const Vec2 a = lane.points[i - 1] - lane.points[i - 2], b = lane.points[i] - lane.points[i - 1];
-        CHECK(std::abs(std::atan2(cross(a, b), a.dot(b))) < 0.15);
-      }
-      const StreetProfile& profile = network.streets[lane.street].profile;
-      const bool two_way = profile.lanes_backward > 0;
-      for (double s = 1; s < length(lane.points); s += 7) {
-        const Station at = station_at(lane.points, s);
-        double nearest = 1e9, left_of_lane = 0;
-        for (int segment : network.streets[lane.street].segments) {
-          const Segment& road = network.segments[segment];
-          const double d = distance_to_line(road.centre, at.point);
-          if (d >= nearest) continue;
-          nearest = d;
-          const Station foot = station_at(road.centre, (at.point - road.centre.front()).norm());
-          left_of_lane = cross(at.direction, foot.point - at.point);
-        }
-        CHECK(nearest + lane.width_m / 2 <= profile.half_width() + 0.01);
-        if (two_way && profile.parking_left_m == profile.parking_right_m) CHECK(left_of_lane > 0);
-      }
-    }
-    CHECK(streets.size() == network.streets.size());
-  }
-}
-
-TEST_CASE("no lane comes near a kerb") {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    INFO("seed " << seed);
-    const StreetNetwork network = network_of(seed);
-    const std::vector<DrivingLane> all = lanes(network);
-    for (const Block& block : network.blocks) {
-      const Outline kerb = outline(network, block, std::vector<double>(block.sides.size(), 0.0), 0);
-      for (const DrivingLane& lane : all)
-        for (double s = 0; s < length(lane.points); s += 3)
-          if (distance_to_polygon(kerb.points, station_at(lane.points, s).point) < lane.width_m / 2 - 0.01)
-            FAIL_CHECK("street " << network.streets[lane.street].name << " at " << s);
-    }
-  }
-}
-
 TEST_CASE("kerbs of one block are parallel rings with rounded corners") {
   const StreetNetwork network = network_of(3);
   for (const Block& block : network.blocks) {

@@ -172,29 +172,4 @@ Outline outline(const StreetNetwork& network, const Block& block, const std::vec
   return result;
 }
 
-std::vector<DrivingLane> lanes(const StreetNetwork& network) {
-  std::vector<DrivingLane> result;
-  for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
-    const Street& street = network.streets[s];
-    Polyline centre;
-    for (int segment : street.segments) {
-      const Polyline& piece = network.segments[segment].centre;
-      centre.insert(centre.end(), piece.begin() + (centre.empty() ? 0 : 1), piece.end());
-    }
-    // A street ends in the middle of the crossing one: its lanes stop at that junction's edge.
-    const Segment &first = network.segments[street.segments.front()],
-                  &last = network.segments[street.segments.back()];
-    centre = cut(centre, first.cut_from, length(centre) - last.cut_to);
-    const StreetProfile& profile = street.profile;
-    for (int lane = 0; lane < profile.lanes_forward; ++lane)
-      result.push_back({s, profile.lane_width_m, offset(centre, profile.forward_lane_offset(lane))});
-    for (int lane = 0; lane < profile.lanes_backward; ++lane) {
-      Polyline points = offset(centre, profile.backward_lane_offset(lane));
-      std::reverse(points.begin(), points.end());
-      result.push_back({s, profile.lane_width_m, std::move(points)});
-    }
-  }
-  return result;
-}
-
 }  // namespace cps::city

@@ -118,14 +118,4 @@ struct Outline {
 Outline outline(const StreetNetwork& network, const Block& block, const std::vector<double>& inset_m,
                 double corner_shrink_m);
 
-/// A drivable lane: its centre line in driving direction.
-struct DrivingLane {
-  int street = 0;
-  double width_m = 0;
-  Polyline points;
-};
-
-/// All lanes inside the built area, each from one end of its street to the other.
-std::vector<DrivingLane> lanes(const StreetNetwork& network);
-
 }  // namespace cps::city

@@ -1,0 +1,187 @@
+#include "scenes/city/streets/driving_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cps::city {
+namespace {
+
+constexpr double straight_rad = 0.6;  ///< a smaller change of heading is no turn
+constexpr double arc_step_rad = 0.1;
+
+/// The lanes of one segment by direction, counted from the kerb.
+using SegmentLanes = std::array<std::vector<int>, 2>;
+
+struct LaneEnd {
+  Vec2 point, direction;
+};
+
+LaneEnd end_of(const Polyline& line) {
+  return {line.back(), (line[line.size() - 1] - line[line.size() - 2]).normalized()};
+}
+
+LaneEnd start_of(const Polyline& line) {
+  return {line[0], (line[1] - line[0]).normalized()};
+}
+
+double heading_change(const LaneEnd& from, const LaneEnd& to) {
+  return std::atan2(cross(from.direction, to.direction), from.direction.dot(to.direction));
+}
+
+/// A cubic with the ends' directions: for ways that hardly turn.
+Polyline smooth_link(const LaneEnd& from, const LaneEnd& to) {
+  constexpr int steps = 12;
+  const double reach = 0.4 * (to.point - from.point).norm();
+  const Vec2 b = from.point + from.direction * reach, c = to.point - to.direction * reach;
+  Polyline line;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps, s = 1 - t;
+    line.push_back(s * s * s * from.point + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * to.point);
+  }
+  return line;
+}
+
+/// Straight on, one arc, straight on; the arc as wide as there is room, at most `max_radius_m`.
+Polyline turn(const LaneEnd& from, const LaneEnd& to, double max_radius_m) {
+  const double change = heading_change(from, to), sine = std::sin(change);
+  const Vec2 between = to.point - from.point;
+  const double before = cross(between, to.direction) / sine, after = cross(from.direction, between) / sine;
+  if (std::abs(change) > 0.002 && std::abs(change) < 0.14 && std::min(before, after) > 1)
+    return {from.point, from.point + from.direction * before, to.point};  // where the street itself bends
+  if (std::abs(change) < 0.25 || std::abs(change) > 2.8 || std::min(before, after) < 1)
+    return smooth_link(from, to);
+  const double tangent = std::tan(std::abs(change) / 2);
+  const double radius = std::min(max_radius_m, std::min(before, after) / tangent);
+  const int steps = static_cast<int>(std::ceil(std::abs(change) / arc_step_rad));
+  Polyline line{from.point};
+  const auto add = [&](const Vec2& p) {
+    if ((p - line.back()).norm() > 0.02) line.push_back(p);
+  };
+  for (const Vec2& p :
+       fillet(from.point + from.direction * before, from.direction, to.direction, radius, steps))
+    add(p);
+  if (line.size() > 1 && (to.point - line.back()).norm() <= 0.02) line.pop_back();
+  line.push_back(to.point);
+  return line;
+}
+
+class JunctionLinks {
+ public:
+  JunctionLinks(const StreetNetwork& network, int junction, const std::vector<SegmentLanes>& by_segment,
+                std::vector<DrivingLane>& lanes)
+      : network(network), junction(junction), by_segment(by_segment), lanes(lanes) {}
+
+  void link() {
+    std::vector<Side> arms;
+    for (const Side& arm : network.junctions[junction].arms)
+      if (network.is_road(arm)) arms.push_back(arm);
+    for (const Side& in : arms)
+      for (const Side& out : arms)
+        if (!(in == out)) link_arms(arriving(in), leaving(out));
+    for (const Side& arm : arms) {  // nobody is left without a way on or in
+      for (std::size_t i = 0; i < arriving(arm).size(); ++i)
+        if (lanes[arriving(arm)[i]].next.empty()) link_to_nearest(arms, arm, i, true);
+      for (std::size_t i = 0; i < leaving(arm).size(); ++i)
+        if (!is_entered(leaving(arm)[i])) link_to_nearest(arms, arm, i, false);
+    }
+  }
+
+ private:
+  const std::vector<int>& arriving(const Side& arm) const { return by_segment[arm.segment][!arm.reversed]; }
+  const std::vector<int>& leaving(const Side& arm) const { return by_segment[arm.segment][arm.reversed]; }
+
+  double change(int in, int out) const {
+    return heading_change(end_of(lanes[in].points), start_of(lanes[out].points));
+  }
+
+  bool is_entered(int lane) const {
+    return std::any_of(lanes.begin(), lanes.end(), [&](const DrivingLane& l) {
+      return l.junction == junction && l.next.front() == lane;
+    });
+  }
+
+  void link_arms(const std::vector<int>& in, const std::vector<int>& out) {
+    if (in.empty() || out.empty()) return;
+    const double angle = change(in[0], out[0]);
+    if (std::abs(angle) < straight_rad)
+      for (std::size_t i = 0; i < std::min(in.size(), out.size()); ++i) add(in[i], out[i]);
+    else if (angle < 0)
+      add(in.front(), out.front());
+    else
+      add(in.back(), out.back());
+  }
+
+  /// From or to lane `i` of an arm, to or from the arm that lies straightest ahead.
+  void link_to_nearest(const std::vector<Side>& arms, const Side& arm, std::size_t i, bool onwards) {
+    double best = 4;
+    std::pair<int, int> chosen{-1, -1};
+    for (const Side& other : arms) {
+      const std::vector<int>& theirs = onwards ? leaving(other) : arriving(other);
+      if (other == arm || theirs.empty()) continue;
+      const int mine = onwards ? arriving(arm)[i] : leaving(arm)[i],
+                its = theirs[std::min(i, theirs.size() - 1)];
+      const std::pair<int, int> link = onwards ? std::pair{mine, its} : std::pair{its, mine};
+      if (const double angle = std::abs(change(link.first, link.second)); angle < best) {
+        best = angle;
+        chosen = link;
+      }
+    }
+    if (chosen.first >= 0) add(chosen.first, chosen.second);
+  }
+
+  void add(int in, int out) {
+    const LaneEnd from = end_of(lanes[in].points), to = start_of(lanes[out].points);
+    // At most concentric with the rounded kerb: a wider arc would run over the corner.
+    double kerb = 8;
+    for (const double radius : network.junctions[junction].radii)
+      if (radius > 0) kerb = std::min(kerb, radius);
+    const bool right = heading_change(from, to) < 0;
+    const double room = right ? std::min(lanes[in].right_kerb_m, lanes[out].right_kerb_m)
+                              : std::min(lanes[in].left_kerb_m, lanes[out].left_kerb_m);
+    DrivingLane lane;
+    lane.street = lanes[in].street;
+    lane.width_m = std::min(lanes[in].width_m, lanes[out].width_m);
+    lane.points = turn(from, to, kerb + room);
+    lane.next = {out};
+    lane.junction = junction;
+    lanes[in].next.push_back(static_cast<int>(lanes.size()));
+    lanes.push_back(std::move(lane));
+  }
+
+  const StreetNetwork& network;
+  int junction;
+  const std::vector<SegmentLanes>& by_segment;
+  std::vector<DrivingLane>& lanes;
+};
+
+}  // namespace
+
+std::vector<DrivingLane> driving_lanes(const StreetNetwork& network) {
+  std::vector<DrivingLane> lanes;
+  std::vector<SegmentLanes> by_segment(network.segments.size());
+  for (std::size_t s = 0; s < network.segments.size(); ++s) {
+    const Segment& segment = network.segments[s];
+    if (segment.street < 0) continue;
+    const StreetProfile& profile = network.streets[segment.street].profile;
+    const Polyline centre = cut(segment.centre, segment.cut_from, length(segment.centre) - segment.cut_to);
+    const auto add = [&](double left_m, bool backward) {
+      DrivingLane lane;
+      lane.street = segment.street;
+      lane.width_m = profile.lane_width_m;
+      lane.points = offset(centre, left_m);
+      if (backward) std::reverse(lane.points.begin(), lane.points.end());
+      lane.left_kerb_m = profile.half_width() + (backward ? left_m : -left_m);
+      lane.right_kerb_m = 2 * profile.half_width() - lane.left_kerb_m;
+      by_segment[s][backward].push_back(static_cast<int>(lanes.size()));
+      lanes.push_back(std::move(lane));
+    };
+    for (int i = 0; i < profile.lanes_forward; ++i) add(profile.forward_lane_offset(i), false);
+    for (int i = 0; i < profile.lanes_backward; ++i) add(profile.backward_lane_offset(i), true);
+  }
+  for (int j = 0; j < static_cast<int>(network.junctions.size()); ++j)
+    JunctionLinks(network, j, by_segment, lanes).link();
+  return lanes;
+}
+
+}  // namespace cps::city
