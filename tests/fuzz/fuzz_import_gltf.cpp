@@ -3,7 +3,9 @@
 #include <stdexcept>
 
 #include "renderer/geometry.h"
+#include "renderer/lamps.h"
 #include "renderer/material.h"
+#include "renderer/memory_estimate.h"
 #include "scenes/gltf_import.h"
 #include "tests/fuzz/mutate_gltf.h"
 #include "tests/scenes/gltf_maker.h"
@@ -19,7 +21,7 @@ bool is_good_refusal(const std::string& line, const std::string& file) {
 
 }  // namespace
 
-/// Imports the bytes and makes the tracer's tables of what comes out: whatever the importer lets through, the
+/// Imports the bytes and makes the tracer's tables and lamps of what comes out: whatever the importer lets through, the
 /// renderer must take.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const TemporaryFolder folder;
@@ -33,8 +35,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     std::fprintf(stderr, "refused with \"%s\"\n", refusal.what());
     std::abort();
   }
-  const cps::Materials materials = cps::make_materials(scene);
-  cps::place_geometry(scene, materials);
+  cps::estimated_bytes(scene);
+  const cps::Materials materials = cps::make_materials(scene, 1.0f);
+  const cps::PlacedGeometry placed = cps::place_geometry(scene, materials);
+  cps::make_lamps(scene, placed);
   return 0;
 }
 
