@@ -37,6 +37,8 @@ Vec3 mirrored(const Vec3& wo, const Vec3& h) {
 /// Layer and base.
 BsdfValue evaluate_below_coat(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   if (wi.z() <= 0.0f || wo.z() <= 0.0f) return {Color::Zero(), 0.0f};
+  const float base_pdf = bsdf.diffuse_probability * wi.z() * inv_pi;
+  if (!bsdf.has_layer) return {bsdf.diffuse * inv_pi * wi.z(), base_pdf};
   const Vec3 h = (wo + wi).normalized();
   const float schlick = schlick_weight(wo.dot(h));
   const Color fresnel = bsdf.f0 + (bsdf.f90 - bsdf.f0) * schlick;
@@ -44,8 +46,7 @@ BsdfValue evaluate_below_coat(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) 
   const float base = inv_pi * bsdf.base_share *
                      (1.0f - specular_albedo(bsdf.roughness, wi.z())(bsdf.base_f0, bsdf.base_f90));
   return {(fresnel * layer + bsdf.diffuse * base) * wi.z(),
-          bsdf.specular_probability * visible_normal_pdf(wo, h, bsdf.alpha) +
-              bsdf.diffuse_probability * wi.z() * inv_pi};
+          bsdf.specular_probability * visible_normal_pdf(wo, h, bsdf.alpha) + base_pdf};
 }
 
 void add_coat(const Bsdf& bsdf, const Vec3& shading_wi, BsdfValue& value) {
@@ -68,16 +69,19 @@ Bsdf make_bsdf(const BsdfParameters& p, const Vec3& wo) {
   bsdf.diffuse = p.base_color * ((1.0f - p.metallic) * (1.0f - p.transmission));
   bsdf.f0 = p.dielectric_f0 + p.metallic * (p.base_color - p.dielectric_f0);
   bsdf.f90 = p.dielectric_f90 + p.metallic * (1.0f - p.dielectric_f90);
+  bsdf.has_layer = bsdf.f90 > 0.0f || (bsdf.f0 > 0.0f).any();
   bsdf.roughness = p.roughness;
   bsdf.alpha = alpha_of(p.roughness);
   bsdf.base_f0 = p.dielectric_f0.maxCoeff();
   bsdf.base_f90 = p.dielectric_f90;
   bsdf.straight = p.straight;
 
-  const SpecularAlbedo towards_o = specular_albedo(p.roughness, wo.z());
+  const SpecularAlbedo towards_o = bsdf.has_layer ? specular_albedo(p.roughness, wo.z()) : SpecularAlbedo{};
   const float base_transmission = 1.0f - towards_o(bsdf.base_f0, bsdf.base_f90);
   bsdf.base_share =
-      base_transmission / (1.0f - mean_specular_albedo(p.roughness)(bsdf.base_f0, bsdf.base_f90));
+      bsdf.has_layer
+          ? base_transmission / (1.0f - mean_specular_albedo(p.roughness)(bsdf.base_f0, bsdf.base_f90))
+          : 1.0f;
 
   float from_coat = 0.0f;
   if (p.clearcoat > 0.0f) {

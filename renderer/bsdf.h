@@ -36,6 +36,7 @@ struct Bsdf {
   Color diffuse;               ///< base colour of the dielectric part
   Color f0;                    ///< the layer's reflectance at normal incidence
   float f90;                   ///< and at grazing
+  bool has_layer;              ///< false where both are 0: a Lambert surface
   float roughness;             ///< glTF's
   float alpha;                 ///< GGX width, roughness²
   float base_f0, base_f90;     ///< of the dielectric part of the layer, which is over the diffuse base

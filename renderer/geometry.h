@@ -57,6 +57,15 @@ struct WorldTriangle {
 
 WorldTriangle world_triangle(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle);
 
+/// Ask the cache for a triangle's corners, and, once they have come, for its vertices.
+inline void prefetch_corners(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle) {
+  __builtin_prefetch(&placed.geometries[placed.placements[placement].geometry].triangles[triangle]);
+}
+inline void prefetch_vertices(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle) {
+  const Geometry& geometry = placed.geometries[placed.placements[placement].geometry];
+  for (const int corner : geometry.triangles[triangle]) __builtin_prefetch(&geometry.vertices[corner]);
+}
+
 /// Metres by which a point on it may be off through rounding.
 float rounding_of(const WorldTriangle& triangle);
 

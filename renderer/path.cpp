@@ -71,7 +71,7 @@ ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direc
   if (bsdf.pdf <= 0.0f) return shadow;
   shadow.ray = surface.leave(direction);
   shadow.contribution = path.throughput * bsdf.f_cos * light_over_pdf * mis_weight(pdf, bsdf.pdf);
-  shadow.wanted = true;
+  shadow.wanted = (shadow.contribution > 0.0f).any();
   return shadow;
 }
 
@@ -204,6 +204,25 @@ void record_vertex(Path& path, const Hit& hit, const Surface& surface, const Col
                                    .emission = emission});
 }
 
+/// The surfaces that the living paths see next. What their shading will fetch is on its way to the cache when
+/// it returns.
+std::uint64_t next_hits(const RenderScene& scene, bool first, const Path (&paths)[packet_size],
+                        Hit (&hits)[packet_size]) {
+  std::uint64_t rays = first ? first_hits(scene, paths, hits) : 0;
+  for (int i = 0; i < packet_size; ++i) {
+    if (!paths[i].alive) continue;
+    if (!first) {
+      hits[i] = scene.bvh.intersect(paths[i].ray);
+      ++rays;
+      if (paths[i].ray.from_viewer) hits[i] = first_visible(scene, paths[i], hits[i], rays);
+    }
+    if (hits[i]) prefetch_corners(scene.placed, hits[i].placement, hits[i].triangle);
+  }
+  for (int i = 0; i < packet_size; ++i)
+    if (paths[i].alive && hits[i]) prefetch_vertices(scene.placed, hits[i].placement, hits[i].triangle);
+  return rays;
+}
+
 /// Adds what the shadow rays bring; `kind` says where records note it.
 void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size], bool coherent,
                 Color VertexRecord::*kind, Path (&paths)[packet_size], std::uint64_t& rays) {
@@ -251,17 +270,12 @@ std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Pat
     const bool first = step == 0;
     const std::uint32_t first_pair = pair_first_vertex + pairs_per_vertex * step;
     Hit hits[packet_size];
-    if (first) rays += first_hits(scene, paths, hits);
+    rays += next_hits(scene, first, paths, hits);
 
     ShadowRay sun_rays[packet_size], sky_rays[packet_size];
     for (int i = 0; i < packet_size; ++i) {
       Path& path = paths[i];
       if (!path.alive) continue;
-      if (!first) {
-        hits[i] = scene.bvh.intersect(path.ray);
-        ++rays;
-        if (path.ray.from_viewer) hits[i] = first_visible(scene, path, hits[i], rays);
-      }
       if (!hits[i]) {
         const Color light = path.throughput * light_from_beyond(scene, path);
         path.radiance += light;

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "renderer/color.h"
+#include "renderer/frame.h"
 
 namespace cps {
 
 /// The sun's disc, uniformly bright.
 struct Sun {
   Vec3 direction;  ///< from the world to its centre
+  Frame frame;     ///< around it
   Color radiance;  ///< kcd/m²; 0 once it has set
   float chord2;    ///< squared chord of its angular radius on the unit sphere; the disc covers π·chord² sr
   float pdf;       ///< of every direction in the disc, 1/sr

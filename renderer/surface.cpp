@@ -61,6 +61,13 @@ TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, const
   return footprint;
 }
 
+Vec3 interpolated_normal(const WorldTriangle& t, const Hit& hit) {
+  const auto packed = [&](int corner) { return t.geometry.vertices[corner].normal; };
+  const std::uint32_t a = packed(t.corner.x()), b = packed(t.corner.y()), c = packed(t.corner.z());
+  if (a == b && a == c) return unpack_direction(a);  // walls and roads are flat
+  return interpolate(unpack_direction(a), unpack_direction(b), unpack_direction(c), hit.u, hit.v);
+}
+
 /// What a normal map does to the interpolated normal, in the world.
 Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, const TextureLookup& map,
                    float scale, const TextureFootprint& footprint) {
@@ -118,9 +125,7 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   surface.geometric_normal = is_front ? front : Vec3(-front);
 
   const TextureFootprint footprint = texture_footprint(t, hit, ray, footprint_width, std::abs(front.dot(wo)));
-  Vec3 normal = interpolate(unpack_direction(geometry.vertices[t.corner.x()].normal),
-                            unpack_direction(geometry.vertices[t.corner.y()].normal),
-                            unpack_direction(geometry.vertices[t.corner.z()].normal), hit.u, hit.v);
+  Vec3 normal = interpolated_normal(t, hit);
   if (t.placement.shared) normal = t.placement.normal_from_mesh * normal;
   const float length = normal.norm();
   normal = length > 1e-6f ? Vec3(normal / length) : front;
