@@ -1,15 +1,18 @@
 #include "distortion/warp.h"
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -34,8 +37,20 @@ struct Worker {
   std::int64_t uncovered = 0, fallbacks = 0;
 };
 
+/// One image, or a master's two halves.
+using Sources = std::span<const OIIO::ImageBuf* const>;
+
+/// Weighs a pixel of the first half against that of the second so that its noise has the variance
+/// `wanted_gain`.
+void weigh_halves(float* first, const float* second, int channels, float gain, float wanted_gain) {
+  const float t = std::sqrt(std::max(0.0f, wanted_gain / gain - 1));
+  for (int c = 0; c < channels; ++c) first[c] = 0.5f * ((first[c] + second[c]) + t * (first[c] - second[c]));
+}
+
 /// Gathers one tile of the output whose footprints are known.
-void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, OIIO::ImageBuf& output) {
+void gather_tile(const Sources& sources, float wanted_noise_gain, int x0, int y0, Worker& worker,
+                 OIIO::ImageBuf& output) {
+  const OIIO::ImageBuf& source = *sources.front();
   const FootprintTile& tile = *worker.tile;
   constexpr PixelBounds uncovered{-1, -1, -1, -1};
   PixelBounds all{source.spec().width, source.spec().height, -1, -1};
@@ -54,7 +69,7 @@ void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, O
              std::max(all.y1, bounds.y1)};
     }
   if (all.x1 >= all.x0)
-    read_patch(source, all.x0, all.y0, all.x1 - all.x0 + 1, all.y1 - all.y0 + 1, worker.patch);
+    read_patch(sources, all.x0, all.y0, all.x1 - all.x0 + 1, all.y1 - all.y0 + 1, worker.patch);
 
   const OIIO::ImageSpec& spec = output.spec();
   worker.row.resize(std::size_t(tile.width) * spec.nchannels);
@@ -62,9 +77,13 @@ void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, O
     std::fill(worker.row.begin(), worker.row.end(), 0.0f);
     for (int column = 0; column < tile.width; ++column) {
       const int index = row * FootprintTile::side + column;
-      if (worker.bounds[index].x0 >= 0)
-        gather(worker.patch, tile, index, worker.bounds[index],
-               &worker.row[std::size_t(column) * spec.nchannels]);
+      if (worker.bounds[index].x0 < 0) continue;
+      float pixel[8];
+      gather(worker.patch, tile, index, worker.bounds[index], pixel);
+      if (sources.size() == 2)
+        weigh_halves(pixel, pixel + spec.nchannels, spec.nchannels, noise_gain(tile, index),
+                     wanted_noise_gain);
+      std::copy_n(pixel, spec.nchannels, &worker.row[std::size_t(column) * spec.nchannels]);
     }
     OIIO::convert_pixel_values(OIIO::TypeFloat, worker.row.data(), spec.format,
                                output.pixeladdr(x0, y0 + row), int(worker.row.size()));
@@ -102,9 +121,19 @@ Eigen::AlignedBox2d box_to_invert_on(const Distortion& lens, const Eigen::Aligne
   return box;
 }
 
-OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
+Footprints lens_footprints(const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
+                           const WarpOptions& options) {
+  const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output, options.box);
+  return [=](int x0, int y0, int width, int height, FootprintTile& tile) {
+    distorting_footprints(lens, box, master_camera, output, options.kernel_sigma_px, x0, y0, width, height,
+                          tile);
+  };
+}
+
+OIIO::ImageBuf resample(const Sources& sources, const Pinhole& output, const WarpOptions& options,
                         const Footprints& footprints, WarpSummary* summary) {
   const auto start = std::chrono::steady_clock::now();
+  const OIIO::ImageBuf& source = *sources.front();
   OIIO::ImageSpec spec(output.width, output.height, source.spec().nchannels, source.spec().format);
   spec.channelnames = source.spec().channelnames;
   OIIO::ImageBuf image(spec);
@@ -125,7 +154,7 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
             worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
             worker.fallbacks += worker.tile->fallbacks;
             if (options.resampling == Resampling::footprint)
-              gather_tile(source, x0, y0, worker, image);
+              gather_tile(sources, float(options.noise_gain), x0, y0, worker, image);
             else
               worker.uncovered += sample_tile(source, *worker.tile, options.resampling, x0, y0, image);
           }
@@ -165,6 +194,10 @@ bool WarpOptions::is_valid(std::string* why) const {
     *why = "kernel_sigma_px: must lie between 0.3 and 4";
     return false;
   }
+  if (!(noise_gain >= 0 && noise_gain <= 1)) {
+    *why = "noise_gain: must lie between 0 and 1";
+    return false;
+  }
   return true;
 }
 
@@ -194,12 +227,25 @@ std::string WarpSummary::brief() const {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
   check_source(master, master_camera, output, options);
-  const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output, options.box);
-  const Footprints footprints = [&](int x0, int y0, int width, int height, FootprintTile& tile) {
-    distorting_footprints(lens, box, master_camera, output, options.kernel_sigma_px, x0, y0, width, height,
-                          tile);
-  };
-  return resample(master, output, options, footprints, summary);
+  return resample(std::array{&master}, output, options, lens_footprints(master_camera, lens, output, options),
+                  summary);
+}
+
+OIIO::ImageBuf warp(const MasterHalves& master, const Pinhole& master_camera, const Distortion& lens,
+                    const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
+  check_source(master.first, master_camera, output, options);
+  check_source(master.second, master_camera, output, options);
+  if (master.first.spec().nchannels != master.second.spec().nchannels ||
+      master.first.spec().format != master.second.spec().format)
+    throw std::runtime_error("warp: the master's halves differ in channels or pixel type");
+  if (options.resampling != Resampling::footprint)
+    throw std::runtime_error("warp: a master's halves can only be averaged: resampling = footprint");
+  return resample(std::array{&master.first, &master.second}, output, options,
+                  lens_footprints(master_camera, lens, output, options), summary);
+}
+
+OIIO::ImageBuf mean(const MasterHalves& halves) {
+  return OIIO::ImageBufAlgo::mul(OIIO::ImageBufAlgo::add(halves.first, halves.second), 0.5f);
 }
 
 OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const Distortion& lens,
@@ -211,7 +257,7 @@ OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const
     undistorting_footprints(lens, proof.rectangle, camera, output, options.kernel_sigma_px, x0, y0, width,
                             height, tile);
   };
-  return resample(source, output, options, footprints, summary);
+  return resample(std::array{&source}, output, options, footprints, summary);
 }
 
 }  // namespace cps

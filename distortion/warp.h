@@ -30,6 +30,8 @@ struct WarpOptions {
   /// Throw where the image is magnified beyond what the source carries; otherwise the kernel is widened
   /// there.
   bool require_resolution = true;
+  /// Of MasterHalves: variance of every output pixel's noise, relative to a master pixel's.
+  double noise_gain = 0.25;
   bool is_valid(std::string* why) const;
 };
 
@@ -65,6 +67,22 @@ struct WarpSummary {
 /// Throws std::runtime_error with one line: options, sizes that do not match, a lens that is not one-to-one
 /// on the master, footprints that leave the master, magnification above what the master carries.
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
+                    const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
+
+/// A master rendered twice, each time with half of its samples and with random numbers of its own: the mean
+/// is the picture, the difference is a sample of its noise.
+struct MasterHalves {
+  OIIO::ImageBuf first, second;
+};
+OIIO::ImageBuf mean(const MasterHalves& halves);
+
+/// As warp() of the halves' mean, but render noise comes out the same everywhere. Where the lens enlarges, a
+/// footprint averages fewer master pixels, so noise would map the lens. The halves are weighted (1 ± t)/2:
+/// the expected image stays what it is, the noise's variance becomes 1 + t² times that of the mean, with its
+/// spectrum; t makes it options.noise_gain times a master pixel's wherever it is below (noise_gain() in
+/// footprints.h). Footprint resampling only. Throws as warp() does, and when the halves differ in size,
+/// channels or pixel type.
+OIIO::ImageBuf warp(const MasterHalves& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 
 /// The other way: the ideal image at `output` of one that was seen through the lens at `camera`. What the

@@ -65,7 +65,8 @@ bool Recipe::is_valid(std::string* why) const {
            train_share + val_share <= 0.99,
        "train_share, val_share: each at least 0.01 and 0.01 left for test"},
       {split == "route" || split == "thesis", "split: must be route or thesis"},
-      {is_between(samples, 1, 65536), "samples: must lie in [1, 65536]"},
+      {is_between(samples, 2, 65536) && samples % 2 == 0,
+       "samples: must be even, in [2, 65536]: a master is rendered in two halves"},
       {is_between(max_shaded_vertices, 1, 64), "max_shaded_vertices: must lie in [1, 64]"},
   };
   for (const Check& check : checks)

@@ -49,7 +49,8 @@ struct Recipe {
   std::string split = "route";
 
   // Rendering and the sensor.
-  int samples = 16;  ///< per master pixel; an output pixel gathers about oversampling² times as many
+  int samples =
+      16;  ///< per master pixel, even; an output pixel is as noisy as the mean of four times as many
   int max_shaded_vertices = 5;
   SensorOptions sensor;
 

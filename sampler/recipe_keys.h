@@ -41,7 +41,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("val_share", r.val_share, "share of the views in val; the rest is test");
   visit("split", r.split, "route: a street belongs to one part; thesis: random by view");
 
-  visit("samples", r.samples, "rays per master pixel; an output pixel sees about four times as many");
+  visit("samples", r.samples,
+        "rays per master pixel, even; an output pixel is as noisy as the mean of four times as many");
   visit("max_shaded_vertices", r.max_shaded_vertices, "surface points at which a path gathers light");
   visit("exposure_bias_min_ev", r.sensor.exposure_bias_min_ev, "darkest exposure against the meter");
   visit("exposure_bias_max_ev", r.sensor.exposure_bias_max_ev, "brightest exposure against the meter");

@@ -41,7 +41,7 @@ TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave 
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "out";
   fs::create_directories(out);
   const std::string o = out.string();
-  const std::string rest = " --size 80x45 --base_hfov_deg 60 --views 3 --samples 1 --out " + o + "/dataset";
+  const std::string rest = " --size 80x45 --base_hfov_deg 60 --views 3 --samples 2 --out " + o + "/dataset";
   check_refused("render /nonexistent.glb -o " + o + "/a.png", 1, "/nonexistent.glb");
   check_refused("generate --recipe /nonexistent.cfg --out " + o + "/dataset", 1, "/nonexistent.cfg");
   check_refused("generate --scene /nonexistent.glb" + rest, 1, "/nonexistent.glb");

@@ -78,7 +78,7 @@ TEST_CASE("a reader that knows only the documented format finds two levels, all 
   const fs::path scene = cps::write_street_gltf(folder.path), root = folder.path / "dataset";
   const cps::ProgramRun made =
       cps::run_cps("generate --seed 8 --scene " + scene.string() +
-                   " --size 96x54,110x40 --base_hfov_deg 40,90,140 --views 4 --lenses 3 --samples 1 --out " +
+                   " --size 96x54,110x40 --base_hfov_deg 40,90,140 --views 4 --lenses 3 --samples 2 --out " +
                    root.string());
   INFO(made.output);
   REQUIRE(made.exit_status == 0);

@@ -94,7 +94,7 @@ TEST_CASE("label-first, the images have the H-FOV asked for and their bases diff
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
   const ProgramRun made = run_cps("generate --scene " + scene.string() +
-                                  " --size 80x45 --hfov_deg 70 --views 3 --lenses 3 --samples 1 "
+                                  " --size 80x45 --hfov_deg 70 --views 3 --lenses 3 --samples 2 "
                                   "--lens_draw shape_prior --out " +
                                   out.string());
   INFO(made.output);

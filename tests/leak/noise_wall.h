@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "distortion/warp.h"
+#include "random/counter_hash.h"
+
+namespace cps {
+
+/// Renders of a wall without texture that fills every view: its picture is render noise and nothing else.
+/// They are made once, with the project's path tracer, and masters of any size are cut out of them.
+struct NoiseWall {
+  MasterHalves halves;
+};
+
+enum class WallLight {
+  shade,  ///< a clear sky without its sun: every ray finds another piece of sky
+  sunlit  ///< sun and clear sky
+};
+
+/// `samples` per master pixel, in two halves.
+NoiseWall render_noise_wall(WallLight light, int samples, int side_px, std::uint64_t seed);
+
+/// A rectangle of the wall at a random place, in a random one of its four mirrored positions. Throws
+/// std::runtime_error when the wall is smaller than the rectangle.
+MasterHalves cut_master(const NoiseWall& wall, int width, int height, Stream stream);
+
+/// Standard deviation of the mean of both halves over its mean, green channel.
+double relative_noise(const NoiseWall& wall);
+
+}  // namespace cps
