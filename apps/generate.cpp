@@ -13,7 +13,7 @@
 #include "dataset/group_label.h"
 #include "dataset/journal.h"
 #include "dataset/png.h"
-#include "distortion/warp.h"
+#include "distortion/render_noise.h"
 #include "renderer/render.h"
 #include "sampler/plan.h"
 #include "scenes/gltf_import.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 
 #include "distortion/brown_conrady.h"
 #include "distortion/inverse_map.h"
@@ -29,16 +28,10 @@ struct FootprintTile {
   alignas(32) std::array<float, side * side> conic_xx, conic_xy, conic_yy, half_width, half_height;
   /// Smaller eigenvalue of C, before it is raised to narrowest_sigma_px² where it is below.
   alignas(32) std::array<float, side * side> smaller_variance;
-  double worst_residual_px = 0;  ///< of the inversion, where there was one
+  alignas(32) std::array<float, side * side> source_area;  ///< |det A|: source pixels per output pixel
+  double worst_residual_px = 0;                            ///< of the inversion, where there was one
   int fallbacks = 0;
 };
-
-/// Variance of a gathered pixel's noise, relative to that of the source's pixels, whose noise is independent:
-/// ∫k² / (∫k)² = 16 / (70π √det C).
-inline float noise_gain(const FootprintTile& tile, int index) {
-  const float xy = tile.conic_xy[index];
-  return 0.7275654f * std::sqrt(tile.conic_xx[index] * tile.conic_yy[index] - xy * xy);
-}
 
 /// Footprints of an output pixel with standard deviation `sigma_px` (output pixels): with A = ∂source
 /// px/∂output px, the covariance is C = sigma² A Aᵀ − I/12, the second term because the source's pixels are

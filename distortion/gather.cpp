@@ -51,32 +51,25 @@ void gather_channels(const PlanarPatch& patch, const FootprintTile& tile, int in
 
 }  // namespace
 
-void read_patch(std::span<const OIIO::ImageBuf* const> images, int x0, int y0, int width, int height,
-                PlanarPatch& patch) {
+void read_patch(const OIIO::ImageBuf& image, int x0, int y0, int width, int height, PlanarPatch& patch) {
+  const OIIO::ImageSpec& spec = image.spec();
   patch.x0 = x0;
   patch.y0 = y0;
   patch.width = width;
   patch.height = height;
-  patch.channels = 0;
-  for (const OIIO::ImageBuf* image : images) patch.channels += image->spec().nchannels;
+  patch.channels = spec.nchannels;
   patch.stride = width + lanes;
   patch.values.assign(patch.stride * height * patch.channels + lanes, 0.0f);
 
-  std::vector<float> interleaved;
-  int plane = 0;
-  for (const OIIO::ImageBuf* image : images) {
-    const OIIO::ImageSpec& spec = image->spec();
-    interleaved.resize(std::size_t(width) * spec.nchannels);
-    for (int y = y0; y < y0 + height; ++y) {
-      const void* pixels = image->pixeladdr(spec.x + x0, spec.y + y);
-      OIIO::convert_pixel_values(spec.format, pixels, OIIO::TypeFloat, interleaved.data(),
-                                 int(interleaved.size()));
-      for (int channel = 0; channel < spec.nchannels; ++channel) {
-        float* row = const_cast<float*>(patch.row(plane + channel, y));
-        for (int x = 0; x < width; ++x) row[x] = interleaved[std::size_t(x) * spec.nchannels + channel];
-      }
+  std::vector<float> interleaved(std::size_t(width) * patch.channels);
+  for (int y = y0; y < y0 + height; ++y) {
+    const void* pixels = image.pixeladdr(spec.x + x0, spec.y + y);
+    OIIO::convert_pixel_values(spec.format, pixels, OIIO::TypeFloat, interleaved.data(),
+                               int(interleaved.size()));
+    for (int channel = 0; channel < patch.channels; ++channel) {
+      float* row = const_cast<float*>(patch.row(channel, y));
+      for (int x = 0; x < width; ++x) row[x] = interleaved[std::size_t(x) * patch.channels + channel];
     }
-    plane += spec.nchannels;
   }
 }
 
@@ -104,12 +97,8 @@ void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, cons
       return gather_channels<2>(patch, tile, index, bounds, pixel);
     case 3:
       return gather_channels<3>(patch, tile, index, bounds, pixel);
-    case 4:
-      return gather_channels<4>(patch, tile, index, bounds, pixel);
-    case 6:
-      return gather_channels<6>(patch, tile, index, bounds, pixel);
     default:
-      return gather_channels<8>(patch, tile, index, bounds, pixel);
+      return gather_channels<4>(patch, tile, index, bounds, pixel);
   }
 }
 

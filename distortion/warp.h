@@ -3,6 +3,7 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "distortion/brown_conrady.h"
@@ -30,8 +31,6 @@ struct WarpOptions {
   /// Throw where the image is magnified beyond what the source carries; otherwise the kernel is widened
   /// there.
   bool require_resolution = true;
-  /// Of MasterHalves: variance of every output pixel's noise, relative to a master pixel's.
-  double noise_gain = 0.25;
   bool is_valid(std::string* why) const;
 };
 
@@ -69,21 +68,13 @@ struct WarpSummary {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 
-/// A master rendered twice, each time with half of its samples and with random numbers of its own: the mean
-/// is the picture, the difference is a sample of its noise.
-struct MasterHalves {
-  OIIO::ImageBuf first, second;
-};
-OIIO::ImageBuf mean(const MasterHalves& halves);
+/// What a warped pixel is multiplied by, given how many source pixels it covers (FootprintTile::source_area).
+using PixelFactor = std::function<float(float source_area)>;
 
-/// As warp() of the halves' mean, but render noise comes out the same everywhere. Where the lens enlarges, a
-/// footprint averages fewer master pixels, so noise would map the lens. The halves are weighted (1 ± t)/2:
-/// the expected image stays what it is, the noise's variance becomes 1 + t² times that of the mean, with its
-/// spectrum; t makes it options.noise_gain times a master pixel's wherever it is below (noise_gain() in
-/// footprints.h). Footprint resampling only. Throws as warp() does, and when the halves differ in size,
-/// channels or pixel type.
-OIIO::ImageBuf warp(const MasterHalves& master, const Pinhole& master_camera, const Distortion& lens,
-                    const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
+/// As warp(), every pixel weighted; no factor: 1.
+OIIO::ImageBuf warp_weighted(const OIIO::ImageBuf& master, const Pinhole& master_camera,
+                             const Distortion& lens, const Pinhole& output, const WarpOptions& options,
+                             const PixelFactor& factor, WarpSummary* summary = nullptr);
 
 /// The other way: the ideal image at `output` of one that was seen through the lens at `camera`. What the
 /// source does not show, or only beyond a fold, is 0; if coverage is required, it is an

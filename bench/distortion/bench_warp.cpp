@@ -5,7 +5,7 @@
 
 #include "distortion/crop.h"
 #include "distortion/inverse_map.h"
-#include "distortion/warp.h"
+#include "distortion/render_noise.h"
 #include "random/counter_hash.h"
 
 using namespace cps;

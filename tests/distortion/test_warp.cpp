@@ -183,62 +183,6 @@ TEST_CASE("the padded master covers every footprint of a border-free crop") {
   CHECK(warped > 20);
 }
 
-TEST_CASE("render noise of two halves comes out the same wherever the lens enlarges or shrinks") {
-  const NoiseWarp w;
-  const auto halves = [&](int seed) {
-    MasterHalves master;
-    for (auto* half : {&master.first, &master.second}) {
-      half->reset(OIIO::ImageSpec(w.camera.width, w.camera.height, 1, OIIO::TypeFloat));
-      const Stream stream = substream(make_stream(17, half == &master.first ? "first" : "second"), seed);
-      auto* values = static_cast<float*>(half->localpixels());
-      for (std::size_t i = 0; i < std::size_t(w.camera.width) * w.camera.height; ++i)
-        values[i] = float(1 + std::sqrt(2.0) * random_normal(stream, i));  // so that the mean's variance is 1
-    }
-    return master;
-  };
-  // Rings about the centre, where the barrel enlarges most, to the corners, where it shrinks.
-  constexpr int rings = 6, pictures = 40;
-  double guarded[rings]{}, plain[rings]{}, sums[rings]{};
-  long pixels[rings]{};
-  for (int seed = 0; seed < pictures; ++seed) {
-    const MasterHalves master = halves(seed);
-    const auto even = warp(master, w.camera, w.lens, w.crop.camera, w.options);
-    const auto uneven = warp(mean(master), w.camera, w.lens, w.crop.camera, w.options);
-    for (int y = 0; y < w.base.height; ++y)
-      for (int x = 0; x < w.base.width; ++x) {
-        const double radius = std::hypot(x - w.base.cx, y - w.base.cy) / std::hypot(w.base.cx, w.base.cy);
-        const int ring = std::min(rings - 1, int(radius * rings));
-        const double value = even.getchannel(x, y, 0, 0) - 1, other = uneven.getchannel(x, y, 0, 0) - 1;
-        guarded[ring] += value * value;
-        plain[ring] += other * other;
-        sums[ring] += value;
-        ++pixels[ring];
-      }
-  }
-  for (int ring = 0; ring < rings; ++ring) {
-    INFO("ring " << ring << ": " << guarded[ring] / pixels[ring] << ", unguarded "
-                 << plain[ring] / pixels[ring]);
-    // Neighbours share master pixels: about five pixels to an independent one, 5,000 of these in the smallest
-    // ring; four standard deviations.
-    const double independent = pixels[ring] / 5.0;
-    CHECK(guarded[ring] / pixels[ring] ==
-          Approx(w.options.noise_gain).epsilon(4 * std::sqrt(2 / independent)));
-    CHECK(std::abs(sums[ring] / pixels[ring]) < 4 * std::sqrt(w.options.noise_gain / independent));
-  }
-  CHECK(plain[0] / pixels[0] > 2 * plain[rings - 1] / pixels[rings - 1]);
-}
-
-TEST_CASE("of equal halves comes what the warp makes of their mean") {
-  const NoiseWarp w;
-  const MasterHalves halves{w.master(3), w.master(3)};
-  const auto image = warp(halves, w.camera, w.lens, w.crop.camera, w.options);
-  const auto expected = warp(w.master(3), w.camera, w.lens, w.crop.camera, w.options);
-  for (int y = 0; y < w.base.height; ++y)
-    for (int x = 0; x < w.base.width; ++x)
-      for (int c = 0; c < 3; ++c)
-        REQUIRE(image.getchannel(x, y, 0, c) == Approx(expected.getchannel(x, y, 0, c)).epsilon(1e-6));
-}
-
 TEST_CASE("what the crop lets through, the warp carries") {
   CHECK(CropOptions{}.max_magnification <= largest_magnification({}));
   CHECK(CropOptions{}.max_magnification > 0.99 * largest_magnification({}));
@@ -257,8 +201,6 @@ TEST_CASE("what cannot be warped is refused in one line") {
   CHECK_THROWS_WITH(warp(master, w.camera, w.lens, w.crop.camera, {.oversampling = 0}),
                     Catch::Contains("oversampling"));
   CHECK_THROWS_WITH(warp(w.master(5), w.camera, w.lens, w.crop.camera), Catch::Contains("channels"));
-  CHECK_THROWS_WITH(warp(MasterHalves{w.master(1), w.master(3)}, w.camera, w.lens, w.crop.camera),
-                    Catch::Contains("halves differ"));
   CHECK_THROWS_WITH(warp(OIIO::ImageBuf(), w.camera, w.lens, w.crop.camera), Catch::Contains("memory"));
 }
 

@@ -48,8 +48,8 @@ NoiseWall render_noise_wall(WallLight light, int samples, int side_px, std::uint
   if (light == WallLight::shade) daylight.sun_irradiance_klx = Eigen::Vector3f::Zero();
   const auto scene = build_render_scene(wall_scene(), daylight);
   Camera camera{.pinhole = pinhole_from_hfov(side_px, side_px, radians(40))};
-  camera.world_from_camera = Eigen::Translation3d(0, 0, 10) *
-                             Eigen::AngleAxisd(std::acos(-1.0), Eigen::Vector3d::UnitX());
+  camera.world_from_camera =
+      Eigen::Translation3d(0, 0, 10) * Eigen::AngleAxisd(std::acos(-1.0), Eigen::Vector3d::UnitX());
   const auto half = [&](const char* name) {
     return render(*scene, camera, {.samples = samples / 2, .seed = make_stream(seed, name).key});
   };

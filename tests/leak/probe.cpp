@@ -59,7 +59,9 @@ Guess judge(const torch::Tensor& guess, const torch::Tensor& truth) {
     const double positive = std::max(0.0, correlation);
     return positive * positive;
   };
-  return {.r_squared = squared(r), .lower = squared(std::tanh(z - reach)), .upper = squared(std::tanh(z + reach))};
+  return {.r_squared = squared(r),
+          .lower = squared(std::tanh(z - reach)),
+          .upper = squared(std::tanh(z + reach))};
 }
 
 }  // namespace
@@ -81,7 +83,8 @@ std::array<Guess, secret_count> probe(const WallPictures& train, const WallPictu
       const torch::Tensor chosen = order.narrow(0, b * batch_size, batch_size);
       const double progress = double(step) / double(steps);
       for (auto& group : optimiser.param_groups())
-        static_cast<torch::optim::AdamWOptions&>(group.options()).lr(1e-3 * (1 + std::cos(3.14159265 * progress)));
+        static_cast<torch::optim::AdamWOptions&>(group.options())
+            .lr(1e-3 * (1 + std::cos(3.14159265 * progress)));
       optimiser.zero_grad();
       const torch::Tensor guess = network.forward(normalised(images.index_select(0, chosen)));
       torch::mse_loss(guess, targets.index_select(0, chosen)).backward();

@@ -14,8 +14,8 @@ struct Guess {
   double r_squared = 0, lower = 0, upper = 0;
 };
 
-/// Trains a small convolutional network on `train` and has it guess the secrets of `test`. It sees differences
-/// between neighbours at full resolution and keeps where in the picture they are.
+/// Trains a small convolutional network on `train` and has it guess the secrets of `test`. It sees
+/// differences between neighbours at full resolution and keeps where in the picture they are.
 std::array<Guess, secret_count> probe(const WallPictures& train, const WallPictures& test, int epochs,
                                       std::uint64_t seed);
 

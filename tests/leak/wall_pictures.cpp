@@ -47,7 +47,8 @@ OIIO::ImageBuf bilinear(const OIIO::ImageBuf& picture, const Pinhole& source, co
   return image;
 }
 
-OIIO::ImageBuf photograph(const NoiseWall& wall, Resampler resampler, const Photograph& photo, Stream stream) {
+OIIO::ImageBuf photograph(const NoiseWall& wall, Resampler resampler, const Photograph& photo,
+                          Stream stream) {
   const Pinhole& output = photo.lens.crop.camera;
   const WarpOptions options{.box = frame_on_plane(photo.lens.base)};
   if (resampler == Resampler::bilinear_8bit) {
@@ -90,8 +91,8 @@ WallPictures photograph_wall(const NoiseWall& wall, Resampler resampler, int cou
     const OIIO::ImageBuf image = photograph(wall, resampler, photo, make_stream(own.key, "place"));
     const auto* rgb = static_cast<const std::uint8_t*>(image.localpixels());
     for (std::size_t p = 0; p < size; ++p)
-      pictures.pixels[i * size + p] = std::uint8_t(
-          std::lround(0.2126 * rgb[3 * p] + 0.7152 * rgb[3 * p + 1] + 0.0722 * rgb[3 * p + 2]));
+      pictures.pixels[i * size + p] =
+          std::uint8_t(std::lround(0.2126 * rgb[3 * p] + 0.7152 * rgb[3 * p + 1] + 0.0722 * rgb[3 * p + 2]));
     pictures.secrets[i] = secrets_of(photo.lens);
   });
   return pictures;

@@ -10,9 +10,9 @@ namespace cps {
 
 /// How a picture is made of its master.
 enum class Resampler {
-  pipeline,       ///< as `cps generate` does: both halves, warp(), the sensor
-  unguarded,  ///< the same without its guard: warp() of the halves' mean
-  bilinear_8bit   ///< as many other generators do: an 8-bit picture of the output's size, bilinear
+  pipeline,      ///< as `cps generate` does: both halves, warp(), the sensor
+  unguarded,     ///< the same without its guard: warp() of the halves' mean
+  bilinear_8bit  ///< as many other generators do: an 8-bit picture of the output's size, bilinear
 };
 
 /// What a network must not be able to tell from noise.

@@ -2,7 +2,7 @@
 
 #include <OpenImageIO/imagebuf.h>
 
-#include "distortion/warp.h"
+#include "distortion/render_noise.h"
 #include "renderer/render.h"
 #include "sampler/lens_draw.h"
 #include "sensor/develop.h"
