@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "scenes/city/buildings/block_plan.h"
+#include "scenes/city/blocks/block_plan.h"
 #include "scenes/city/geometry/glb_writer.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/materials.h"
@@ -34,13 +34,14 @@ bool CityOptions::is_valid(std::string* why) const {
 
 std::string CitySummary::brief() const {
   char text[512];
-  std::snprintf(text, sizeof text,
-                "%zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu pieces of "
-                "street furniture\n"
-                "%zu lanes, %.1f km in all\n"
-                "%.2f M triangles (%.2f M with instances), %.1f MB",
-                streets, junctions, blocks, buildings, trees, cars, furniture, lanes, lane_km,
-                triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
+  std::snprintf(
+      text, sizeof text,
+      "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu pieces of "
+      "street furniture\n"
+      "%zu lanes, %.1f km in all\n"
+      "%.2f M triangles (%.2f M with instances), %.1f MB",
+      to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, furniture, lanes, lane_km,
+      triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
   return text;
 }
 
@@ -52,14 +53,34 @@ void add_static(GlbWriter& writer, Mesh mesh, const std::string& name) {
   writer.add_node(name, writer.add_mesh(mesh));
 }
 
+WallMaterial ground_material(const Materials& m, GroundKind kind) {
+  switch (kind) {
+    case GroundKind::grass:
+      return {m.grass, grass_tile_m};
+    case GroundKind::paving:
+      return {m.paving, paving_tile_m};
+    case GroundKind::asphalt:
+      return {m.asphalt, asphalt_tile_m};
+    case GroundKind::concrete:
+      return {m.concrete[0].material, concrete_tile_m};
+  }
+  return {};
+}
+
 void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const BlockPlan& plan,
                const Materials& materials, std::uint64_t seed) {
   const std::string name = "block " + std::to_string(index);
-  const bool paved = plan.kind == BlockKind::closed;
   Mesh ground = pavement(network, network.blocks[index], plan.pavement_m, materials, seed);
-  add_floor(ground.surfaces[paved ? materials.paving : materials.grass], plan.border.points, kerb_height_m,
-            paved ? paving_tile_m : grass_tile_m,
-            [weather = make_stream(seed, "weathering")](const Vec2& p) { return weathering(weather, p); });
+  const auto weather = [stream = make_stream(seed, "weathering")](const Vec2& p) {
+    return weathering(stream, p);
+  };
+  const WallMaterial surface = ground_material(materials, plan.ground);
+  add_floor(ground.surfaces[surface.material], plan.border.points, kerb_height_m, surface.tile_m, weather);
+  for (const Pad& pad : plan.pads) {
+    const WallMaterial cover = ground_material(materials, pad.kind);
+    add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m,
+              weather);
+  }
   add_static(writer, std::move(ground), name);
   const Stream buildings = substream(make_stream(seed, "building"), index);
   for (std::size_t k = 0; k < plan.buildings.size(); ++k)
@@ -79,7 +100,8 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummar
       case ModelKind::house:
         ++summary.buildings;
         break;
-      case ModelKind::hedge:
+      case ModelKind::boundary:
+      case ModelKind::goods:
       case ModelKind::furniture:
         ++summary.furniture;
         break;
@@ -107,7 +129,7 @@ nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::ve
 CitySummary write_city(const CityOptions& options, const std::filesystem::path& file) {
   if (std::string why; !options.is_valid(&why)) throw std::runtime_error("city: " + why);
   const StreetNetwork network = draw_street_network(options);
-  const CityCharacter character = draw_character(options.seed);
+  const Districts districts = draw_districts(options);
   GlbWriter writer;
   const Materials materials = make_materials(writer, options.seed);
   const ModelLibrary models = make_models(writer, materials, options.seed);
@@ -121,6 +143,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   for (int j = 0; j < static_cast<int>(network.junctions.size()); ++j)
     add_static(writer, junction_floor(network, j, materials, options.seed), "junction " + std::to_string(j));
   for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
+    const CityCharacter& character = districts.character_at(block_middle(network, b));
     const BlockPlan plan = plan_block(network, b, character, options.seed);
     add_block(writer, network, b, plan, materials, options.seed);
     place(writer, furnish(network, b, plan, models, character, options), summary);
@@ -132,13 +155,16 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
 
   const std::vector<DrivingLane> lanes = driving_lanes(network);
   for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
+  summary.style = options.style;
   summary.streets = network.streets.size();
   summary.junctions = network.junctions.size();
   summary.blocks = network.blocks.size();
   summary.lanes = lanes.size();
   summary.triangles = writer.stored_triangles();
   summary.instanced_triangles = writer.instanced_triangles();
-  summary.bytes = writer.write(file, {{"cps_lanes", lanes_as_json(network, lanes)}});
+  summary.bytes =
+      writer.write(file, {{"cps_city", {{"style", to_string(options.style)}, {"seed", options.seed}}},
+                          {"cps_lanes", lanes_as_json(network, lanes)}});
   return summary;
 }
 

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "scenes/city/city_style.h"
+
 namespace cps {
 
 /// What a procedural city is made from: the same options give the same file, byte for byte.
 struct CityOptions {
-  std::uint64_t seed = 0;   ///< 0 is a seed like any other
+  std::uint64_t seed = 0;  ///< 0 is a seed like any other
+  CityStyle style = CityStyle::european;
   double extent_m = 400;    ///< side length of the area with streets, metres
   double tree_density = 1;  ///< times the seed's own density; 0: no trees
   double parked_cars = 1;   ///< times the seed's own density; 0: empty kerbs
@@ -18,6 +21,7 @@ struct CityOptions {
 };
 
 struct CitySummary {
+  CityStyle style = CityStyle::european;
   std::size_t streets = 0, junctions = 0, blocks = 0, buildings = 0, trees = 0, cars = 0, furniture = 0;
   std::size_t lanes = 0;
   double lane_km = 0;
@@ -30,8 +34,9 @@ struct CitySummary {
 };
 
 /// Writes a city as glTF binary (y up, metres; textures inside; drivable lanes in
-/// `scenes[0].extras.cps_lanes`). The file appears under its name only when it is complete. Throws
-/// std::runtime_error (invalid options, unwritable file) with one line that says what to change.
+/// `scenes[0].extras.cps_lanes`, what it is made from in `cps_city`). The file appears under its name only
+/// when it is complete. Throws std::runtime_error (invalid options, unwritable file) with one line that says
+/// what to change.
 CitySummary write_city(const CityOptions& options, const std::filesystem::path& file);
 
 }  // namespace cps

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "scenes/city/city.h"
 #include "tests/temporary_folder.h"
@@ -58,13 +59,13 @@ TEST_CASE("a city's file is a function of its options, and reads back sane") {
   const TemporaryFolder folder;
   const fs::path first = folder.path / "first.glb", again = folder.path / "again.glb",
                  other = folder.path / "other.glb";
-  const CityOptions options{.seed = 7, .extent_m = 300};
+  const CityOptions options{.seed = 7, .style = CityStyle::mixed, .extent_m = 300};
   const CitySummary summary = write_city(options, first);
   write_city(options, again);
   write_city({.seed = 8, .extent_m = 300}, other);
   const std::string bytes = bytes_of(first);
-  CHECK(bytes == bytes_of(again));
-  CHECK(bytes != bytes_of(other));
+  CHECK((bytes == bytes_of(again)));
+  CHECK((bytes != bytes_of(other)));
   CHECK(bytes.size() == summary.bytes);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.path))
     CHECK(entry.path().extension() == ".glb");
@@ -101,6 +102,7 @@ TEST_CASE("a city's file is a function of its options, and reads back sane") {
   for (const tinygltf::Image& image : model.images) CHECK(std::min(image.width, image.height) >= 512);
   for (const tinygltf::Material& material : model.materials) CHECK_FALSE(material.name.empty());
 
+  CHECK(model.scenes[0].extras.Get("cps_city").Get("style").Get<std::string>() == "mixed");
   const tinygltf::Value lanes = model.scenes[0].extras.Get("cps_lanes");
   REQUIRE(lanes.ArrayLen() == summary.lanes);
   double km = 0;
@@ -120,6 +122,30 @@ TEST_CASE("a city's file is a function of its options, and reads back sane") {
     }
   }
   CHECK(km == Approx(summary.lane_km).epsilon(1e-4));
+}
+
+TEST_CASE("styles have names, and an unknown one is refused with the list of them") {
+  for (const std::string& name : city_style_names()) CHECK(to_string(city_style_from(name)) == name);
+  CHECK_THROWS_WITH(
+      city_style_from("village"),
+      "city style: village is none; choose one of european, downtown, suburb, industrial, mixed");
+}
+
+TEST_CASE("every style's file is a function of its options and names its style", "[slow]") {
+  const TemporaryFolder folder;
+  std::set<std::string> different;
+  for (const std::string& name : city_style_names()) {
+    INFO(name);
+    const CityOptions options{.seed = 2, .style = city_style_from(name), .extent_m = 300};
+    const CitySummary summary = write_city(options, folder.path / "first.glb");
+    write_city(options, folder.path / "again.glb");
+    const std::string bytes = bytes_of(folder.path / "first.glb");
+    CHECK((bytes == bytes_of(folder.path / "again.glb")));
+    CHECK(bytes.find("\"cps_city\":{\"style\":\"" + name + "\",\"seed\":2}") != std::string::npos);
+    CHECK(summary.brief().find(name + ": ") == 0);
+    different.insert(bytes);
+  }
+  CHECK(different.size() == 5);
 }
 
 TEST_CASE("what cannot be made is refused in one line and leaves no file") {

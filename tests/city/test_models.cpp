@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "scenes/city/buildings/building.h"
+#include "scenes/city/roadside/boundary.h"
+#include "scenes/city/roadside/goods.h"
 #include "scenes/city/roadside/street_furniture.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
@@ -58,7 +60,11 @@ Materials any_materials() {
   Materials m{};
   m.plaster = {{1, 3}};
   m.brick = {{2, 2}, {3, 2}};
-  m.concrete = {{4, 3}};
+  m.concrete = {{4, 3}, {13, 3}};
+  m.curtain_wall = {{14, 14.4}};
+  m.sheet = {{15, 2}};
+  m.gate = {16};
+  m.container_paint = {17, 18};
   m.stone = {5, 3};
   m.glass = 6;
   m.shop_sign = std::vector<MaterialId>(6, 7);
@@ -127,6 +133,51 @@ TEST_CASE("houses have storeys of real height and no face inside out") {
     CHECK(box.high.y() < plan.storeys * 3.5 + 1.2 + 9);
     CHECK(box.low.y() >= static_cast<float>(kerb_height_m) - 0.01f);
   }
+}
+
+TEST_CASE("towers, halls and garages have real heights and no face inside out") {
+  for (int i = 0; i < 60; ++i) {
+    INFO(i);
+    BuildingPlan plan;
+    plan.kind = i % 3 == 0 ? BuildingKind::tower : i % 3 == 1 ? BuildingKind::hall : BuildingKind::garage;
+    const bool is_garage = plan.kind == BuildingKind::garage;
+    plan.footprint = is_garage ? make_footprint({{0, 0}, {i % 2 ? 3.3 : 6.0, 0}}, 6.2)
+                               : make_footprint({{0, 0}, {24.0 + i % 20, 3}}, 16 + i % 15);
+    plan.storeys = plan.kind == BuildingKind::tower ? 6 + i % 26 : 1;
+    plan.roof = plan.kind == BuildingKind::tower ? RoofKind::flat
+                : is_garage                      ? (i % 2 ? RoofKind::flat : RoofKind::gable)
+                : i % 4 == 0                     ? RoofKind::flat
+                : i % 4 == 1                     ? RoofKind::gable
+                                                 : RoofKind::sawtooth;
+    plan.gable_to_street = is_garage;
+    const Mesh mesh = building(plan, any_materials(), substream(make_stream(9, "building"), i));
+    check_sane(mesh, 0.9);
+    const Box box = bounds(mesh);
+    CHECK(box.low.y() >= static_cast<float>(kerb_height_m) - 0.03f);
+    if (plan.kind == BuildingKind::tower) {
+      CHECK(box.high.y() > plan.storeys * 3.4);
+      CHECK(box.high.y() < plan.storeys * 4.0 + 26);
+    } else {
+      CHECK(box.high.y() > (is_garage ? 2.6 : 5.8));
+      CHECK(box.high.y() < (is_garage ? 6.0 : 32.0));
+    }
+  }
+}
+
+TEST_CASE("fences and goods have real sizes and stand on the ground") {
+  const Materials m = any_materials();
+  for (const Mesh& mesh : {picket_fence(m), mesh_fence(m), low_wall(m), high_wall(m)}) {
+    check_sane(mesh, 0.9);
+    CHECK(bounds(mesh).high.x() - bounds(mesh).low.x() == Approx(boundary_module_m).margin(0.1));
+    CHECK(bounds(mesh).high.y() > 0.9);
+    CHECK(bounds(mesh).high.y() < 2.4);
+    CHECK(bounds(mesh).low.y() > -0.06f);
+  }
+  const Mesh box = container(m, 17);
+  check_sane(box, 0.0);
+  CHECK(bounds(box).high.y() == Approx(2.59).margin(0.01));
+  CHECK(bounds(box).high.x() - bounds(box).low.x() == Approx(6.06).margin(0.03));
+  for (const Mesh& mesh : {container_stack(m), pallets(m), silo(m)}) check_sane(mesh, -0.05);
 }
 
 TEST_CASE("street furniture has real sizes and stands on the pavement") {

@@ -5,20 +5,30 @@
 
 namespace cps::city {
 
+enum class BuildingKind { house, tower, hall, garage };
+
 /// What stands on a lot, before its facade is drawn.
 struct BuildingPlan {
+  BuildingKind kind = BuildingKind::house;
   Footprint footprint;
   int storeys = 3;
   bool shops = false;
   bool party_start = false, party_end = false;  ///< a neighbour is built onto that end: no windows there
   bool detached = false;                        ///< all sides are seen
   RoofKind roof = RoofKind::gable;
-  bool distant = false;    ///< never seen from near: windows without depth
-  double rear_wing_m = 0;  ///< depth of a lower wing behind; 0: none
+  bool gable_to_street = false;  ///< the ridge runs away from the street
+  bool distant = false;          ///< never seen from near: windows without depth
+  double rear_wing_m = 0;        ///< depth of a lower wing behind; 0: none
 };
 
-/// A house with its own draw of materials, rhythm and details.
+/// The building with its own draw of materials, rhythm and details.
 Mesh building(const BuildingPlan& plan, const Materials& materials, Stream stream);
+
+/// The kinds, each in a file of its own.
+Mesh house(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Mesh tower(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Mesh hall(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Mesh garage(const BuildingPlan& plan, const Materials& materials, Stream stream);
 
 /// The plan of the rear wing, empty where there is none.
 Polygon rear_wing(const BuildingPlan& plan);

@@ -11,20 +11,6 @@ namespace {
 constexpr double near_street_m = 8;
 constexpr double door_width_m = 1.15, door_height_m = 2.5;  // with the light above the leaf
 
-/// One storey of wall with its openings cut out: piers between them, and the wall below and above each.
-void add_storey(Mesh& mesh, const WallFrame& frame, double width, double floor, double ceiling,
-                const std::vector<Opening>& openings, const WallMaterial& wall) {
-  Surface& surface = mesh.surfaces[wall.material];
-  double u = 0;
-  for (const Opening& o : openings) {
-    add_panel(surface, frame, u, o.u0, floor, ceiling, 0, wall.tile_m);
-    if (o.z0 > floor) add_panel(surface, frame, o.u0, o.u1, floor, o.z0, 0, wall.tile_m);
-    if (o.z1 < ceiling) add_panel(surface, frame, o.u0, o.u1, o.z1, ceiling, 0, wall.tile_m);
-    u = o.u1;
-  }
-  add_panel(surface, frame, u, width, floor, ceiling, 0, wall.tile_m);
-}
-
 std::vector<Opening> upper_storey(double width, int bays, double floor, double ceiling,
                                   const FacadeStyle& style) {
   std::vector<Opening> openings;
@@ -111,7 +97,8 @@ void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFl
     const std::vector<Opening> openings =
         k == 0 ? ground_storey(width, bays, floor, ceiling, style, ground_floor, draws)
                : upper_storey(width, bays, floor, ceiling, style);
-    add_storey(mesh, frame, width, floor, ceiling, openings, material);
+    add_pierced_wall(mesh.surfaces[material.material], frame, width, floor, ceiling, openings,
+                     material.tile_m);
     for (const Opening& o : openings) add_opening(mesh, frame, o, style, material, detail, materials, draws);
     for (std::size_t b = 1; style.balconies && k > 0 && b + 1 < openings.size(); b += 2)
       add_balcony(mesh, frame, openings[b], floor, materials);

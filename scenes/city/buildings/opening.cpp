@@ -1,5 +1,7 @@
 #include "scenes/city/buildings/opening.h"
 
+#include <algorithm>
+
 namespace cps::city {
 
 WallFrame make_wall_frame(const Vec2& from, const Vec2& to) {
@@ -146,6 +148,32 @@ void add_shop_front(Mesh& mesh, const WallFrame& f, const Opening& o, const Mate
 
 }  // namespace
 
+void add_pierced_wall(Surface& surface, const WallFrame& frame, double width, double bottom, double top,
+                      const std::vector<Opening>& openings, double tile_m) {
+  double u = 0;
+  for (const Opening& o : openings) {
+    add_panel(surface, frame, u, o.u0, bottom, top, 0, tile_m);
+    if (o.z0 > bottom) add_panel(surface, frame, o.u0, o.u1, bottom, o.z0, 0, tile_m);
+    if (o.z1 < top) add_panel(surface, frame, o.u0, o.u1, o.z1, top, 0, tile_m);
+    u = o.u1;
+  }
+  add_panel(surface, frame, u, width, bottom, top, 0, tile_m);
+}
+
+void add_gate(Mesh& mesh, const WallFrame& f, const Opening& o, MaterialId leaf, const Materials& m) {
+  constexpr double back = 0.2, section_m = 0.52, jamb_m = 0.12;
+  Surface& frame = mesh.surfaces[m.frame_dark];
+  add_rim(frame, f, o.u0, o.u1, o.z0, o.z1, -back, 0, false, 1, left_face | right_face | upper_face);
+  const int sections = std::max(1, static_cast<int>((o.z1 - o.z0) / section_m + 0.5));
+  const double rise = (o.z1 - o.z0) / sections;
+  for (int k = 0; k < sections; ++k) {
+    const double z = o.z0 + k * rise;
+    add_panel(mesh.surfaces[leaf], f, o.u0, o.u1, z, z + rise, -back);
+    add_bar(mesh.surfaces[leaf], f, o.u0 + jamb_m, o.u1 - jamb_m, z + 0.03, z + rise - 0.03, -back,
+            -back + 0.03, 1, lower_face | upper_face);
+  }
+}
+
 void add_opening(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeStyle& style,
                  const WallMaterial& wall, Detail detail, const Materials& m, Draws& draws) {
   const double back = o.kind == Opening::Kind::door   ? 0.27
@@ -159,6 +187,8 @@ void add_opening(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeS
       return add_door(mesh, f, o, style, m, draws);
     case Opening::Kind::shop:
       return add_shop_front(mesh, f, o, m);
+    case Opening::Kind::gate:
+      return add_gate(mesh, f, o, m.shutter, m);
   }
 }
 

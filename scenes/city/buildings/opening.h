@@ -16,7 +16,7 @@ WallFrame make_wall_frame(const Vec2& from, const Vec2& to);
 
 /// A rectangle of the wall.
 struct Opening {
-  enum class Kind { window, door, shop } kind = Kind::window;
+  enum class Kind { window, door, shop, gate } kind = Kind::window;
   double u0, u1, z0, z1;
 };
 
@@ -38,6 +38,15 @@ enum Faces : unsigned {
 void add_bar(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w0,
              double w1, double tile_m = 1, unsigned faces = all_faces);
 
+/// A stretch of wall with its openings (from left to right) cut out.
+void add_pierced_wall(Surface& surface, const WallFrame& frame, double width, double bottom, double top,
+                      const std::vector<Opening>& openings, double tile_m);
+
+/// A sectional or roller gate, set back into the wall.
+void add_gate(Mesh& mesh, const WallFrame& frame, const Opening& opening, MaterialId leaf,
+              const Materials& materials);
+
+/// Any opening, with the sides of its hole.
 void add_opening(Mesh& mesh, const WallFrame& frame, const Opening& opening, const FacadeStyle& style,
                  const WallMaterial& wall, Detail detail, const Materials& materials, Draws& draws);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/city/buildings/opening.h"
+#include "scenes/city/buildings/attic.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
 
@@ -45,7 +45,7 @@ double add_gable(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& p
                                       {f.depth_m + overhang_m, eaves - overhang_m * slope + slab_m}};
   const Footprint roof = f.lengthened(plan.free_start ? 0.3 : 0, plan.free_end ? 0.3 : 0);
   const std::vector<ProfilePoint> section = slab(top);
-  Surface& tiles = mesh.surfaces[m.roof_tiles];
+  Surface& tiles = mesh.surfaces[plan.cover];
   add_loft(tiles, roof, {section[0], section[1], section[2]}, roof_tile_m);
   Surface& boards = mesh.surfaces[m.frame_white];
   add_loft(boards, roof, {section[2], section[3], section[4], section[5], section[0]}, 1);
@@ -53,17 +53,19 @@ double add_gable(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& p
     add_loft_ends(boards, roof, {section[i], section[i + 1], section[4 - i], section[5 - i]}, 1);
   add_loft_ends(mesh.surfaces[plan.wall.material], f,
                 {{0, eaves}, {f.depth_m / 2, eaves + rise}, {f.depth_m, eaves}}, plan.wall.tile_m);
+  if (plan.lived_under && plan.free_start && rise > 2.4) add_gable_window(mesh, f, false, eaves, rise, m);
+  if (plan.lived_under && plan.free_end && rise > 2.4) add_gable_window(mesh, f, true, eaves, rise, m);
   return eaves + rise + slab_m;
 }
 
-double add_mansard(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m) {
+double add_mansard(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan) {
   const double break_in = mansard_depth_m, break_up = mansard_rise_m, rise = 1.2;
   const std::vector<ProfilePoint> section{{0, eaves},
                                           {break_in, eaves + break_up},
                                           {f.depth_m / 2, eaves + break_up + rise},
                                           {f.depth_m - break_in, eaves + break_up},
                                           {f.depth_m, eaves}};
-  add_loft(mesh.surfaces[m.roof_tiles], f, section, roof_tile_m);
+  add_loft(mesh.surfaces[plan.cover], f, section, roof_tile_m);
   add_loft_ends(mesh.surfaces[plan.wall.material], f, section, plan.wall.tile_m);
   return eaves + break_up + rise;
 }
@@ -85,7 +87,7 @@ double add_hip(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pla
       const double u = d.dot(eave), v = (d - eave * u).norm();
       polygon.push_back({p, Vec2(u, -v) / roof_tile_m});
     }
-    add_polygon(mesh.surfaces[m.roof_tiles], polygon);
+    add_polygon(mesh.surfaces[plan.cover], polygon);
   };
   const Vec3 a = lift(front[0], base), b = lift(front[1], base), c = lift(back[1], base),
              d = lift(back[0], base);
@@ -112,7 +114,7 @@ double add_flat(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   std::reverse(inner.begin(), inner.end());
   add_strip(mesh.surfaces[plan.wall.material], inner, inner, {top, eaves, plan.wall.tile_m});
   const Polyline middle = f.line_at(f.depth_m * 0.5);
-  for (int i = draws.integer(0, 3); i > 0; --i) {  // stair heads and machines
+  for (int i = plan.lived_under ? draws.integer(0, 3) : 0; i > 0; --i) {  // stair heads and machines
     const Station at = station_at(middle, length(middle) * draws.uniform(0.2, 0.8));
     add_box(mesh.surfaces[draws.chance(0.5) ? m.concrete[0].material : m.roof_metal], at.point, at.direction,
             draws.uniform(0.5, 1.8), draws.uniform(0.5, 1.5), eaves, eaves + draws.uniform(0.7, 2.4), 3);
@@ -120,44 +122,21 @@ double add_flat(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   return top;
 }
 
-/// Dormers in the front slope, which rises by `slope` from `start` metres behind the eaves line at `foot`
-/// height.
-void add_dormers(Mesh& mesh, const Footprint& f, double foot, double slope, double start, const Materials& m,
-                 Draws& draws) {
-  const double width = draws.uniform(1.2, 1.7), spacing = draws.uniform(3.2, 5.5), height = 1.45;
-  const double sill = foot + slope * start;  // where the dormer's front stands on the slope
-  for (std::size_t i = 1; i < f.front.size(); ++i) {
-    const Vec2 a = f.front[i - 1], b = f.front[i], along = (b - a).normalized(), in = left_of(along);
-    const double room = (b - a).norm() - 5, deep = height / slope + 0.25;
-    const int count = static_cast<int>(room / spacing);
-    for (int k = 0; k < count; ++k) {
-      const Vec2 middle = a + along * (2.5 + room * (k + 0.5) / count) + in * (start + deep / 2);
-      add_box(mesh.surfaces[m.roof_metal], middle, along, width / 2, deep / 2, sill - 0.1, sill + height);
-      add_box(mesh.surfaces[m.roof_metal], middle - in * 0.1, along, width / 2 + 0.12, deep / 2,
-              sill + height, sill + height + 0.1, 1, true);
-      const WallFrame frame{middle - in * (deep / 2) - along * (width / 2), along, -in};
-      add_bar(mesh.surfaces[m.frame_white], frame, 0.1, width - 0.1, sill + 0.15, sill + height - 0.1, 0,
-              0.03);
-      for (const auto& [u0, u1] : {std::pair{0.18, width / 2 - 0.03}, {width / 2 + 0.03, width - 0.18}})
-        add_panel(mesh.surfaces[m.glass], frame, u0, u1, sill + 0.23, sill + height - 0.18, 0.034);
-    }
-  }
-}
-
 }  // namespace
 
 double add_roof(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m,
                 Draws& draws) {
   if (plan.kind == RoofKind::flat) return add_flat(mesh, f, eaves, plan, m, draws);
+  if (plan.kind == RoofKind::sawtooth) return add_sawtooth(mesh, f, eaves, plan, m);
   const double ridge = plan.kind == RoofKind::hip       ? add_hip(mesh, f, eaves, plan, m)
-                       : plan.kind == RoofKind::mansard ? add_mansard(mesh, f, eaves, plan, m)
+                       : plan.kind == RoofKind::mansard ? add_mansard(mesh, f, eaves, plan)
                                                         : add_gable(mesh, f, eaves, plan, m);
   const double slope = std::tan(plan.pitch_deg * std::numbers::pi / 180);
   if (plan.dormers && plan.kind == RoofKind::mansard)
     add_dormers(mesh, f, eaves, mansard_rise_m / mansard_depth_m, 0.25, m, draws);
   else if (plan.dormers && plan.kind == RoofKind::gable && slope * f.depth_m / 2 > 2.9)
     add_dormers(mesh, f, eaves + slab_m, slope, 1.0, m, draws);
-  add_chimneys(mesh, f, eaves, ridge, m, draws);
+  if (plan.lived_under) add_chimneys(mesh, f, eaves, ridge, m, draws);
   return ridge;
 }
 

@@ -6,7 +6,7 @@
 
 namespace cps::city {
 
-enum class RoofKind { flat, gable, hip, mansard };
+enum class RoofKind { flat, gable, hip, mansard, sawtooth };
 
 /// How high a flat roof's parapet stands above the last ceiling.
 inline constexpr double parapet_m = 0.5;
@@ -17,7 +17,13 @@ struct RoofPlan {
   bool free_start = false, free_end = false;  ///< no neighbour there: the roof projects
   WallMaterial wall;                          ///< of gables
   bool dormers = false;
+  MaterialId cover = 0;     ///< of slopes
+  bool lived_under = true;  ///< chimneys, attic windows, stair heads
 };
+
+/// Teeth along the front of a two-point footprint, each a glazed face and a slope; returns as add_roof.
+double add_sawtooth(Mesh& mesh, const Footprint& footprint, double eaves, const RoofPlan& plan,
+                    const Materials& materials);
 
 /// The roof over a footprint whose walls end at `eaves` metres; returns the height of its highest point.
 double add_roof(Mesh& mesh, const Footprint& footprint, double eaves, const RoofPlan& plan,

@@ -33,6 +33,11 @@ Footprint make_footprint(const Polyline& front, double depth_m) {
   return footprint;
 }
 
+Footprint turned(const Footprint& footprint) {
+  return make_footprint({footprint.front[1], footprint.at(1, footprint.depth_m)},
+                        (footprint.front[1] - footprint.front[0]).norm());
+}
+
 void add_loft(Surface& surface, const Footprint& footprint, const std::vector<ProfilePoint>& profile,
               double tile_m) {
   double v = 0;

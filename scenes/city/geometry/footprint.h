@@ -22,6 +22,10 @@ struct Footprint {
 /// A straight-sided strip at right angles to its front.
 Footprint make_footprint(const Polyline& front, double depth_m);
 
+/// The same rectangle (of a two-point footprint) seen from its right end: what ran along the front now runs
+/// into the depth.
+Footprint turned(const Footprint& footprint);
+
 /// A corner of a cross-section: `depth` behind the front, `height` above the ground.
 struct ProfilePoint {
   double depth, height;

@@ -90,6 +90,33 @@ void add_walls(GlbWriter& writer, Materials& m, std::uint64_t seed) {
   m.far_roof = writer.add_material(plain("far_roof", {0.30, 0.24, 0.22}, 0.9));
 }
 
+void add_works(GlbWriter& writer, Materials& m, std::uint64_t seed) {
+  const MaterialDescription curtain =
+      textured(writer, "curtain_wall", curtain_wall_texture(make_stream(seed, "curtain wall")));
+  for (const Color& tint :
+       {Color{0.50, 0.60, 0.66}, {0.42, 0.55, 0.50}, {0.62, 0.50, 0.38}, {0.34, 0.36, 0.40}})
+    m.curtain_wall.push_back(
+        {writer.add_material(tinted(curtain, "curtain_wall_" + std::to_string(m.curtain_wall.size()), tint)),
+         curtain_wall_tile_m});
+  const MaterialDescription sheet = textured(writer, "sheet", sheet_texture(make_stream(seed, "sheet")));
+  for (const Color& tint : {Color{0.75, 0.76, 0.76},
+                            {0.42, 0.46, 0.50},
+                            {0.28, 0.38, 0.50},
+                            {0.70, 0.66, 0.55},
+                            {0.30, 0.40, 0.32},
+                            {0.55, 0.22, 0.16}})
+    m.sheet.push_back(
+        {writer.add_material(tinted(sheet, "sheet_" + std::to_string(m.sheet.size()), tint)), sheet_tile_m});
+  for (const Color& tint :
+       {Color{0.30, 0.07, 0.04}, {0.04, 0.12, 0.28}, {0.08, 0.24, 0.14}, {0.5, 0.5, 0.48}})
+    m.container_paint.push_back(writer.add_material(
+        tinted(sheet, "container_paint_" + std::to_string(m.container_paint.size()), tint)));
+  m.fence_wire = writer.add_material(plain("fence_wire", {0.10, 0.16, 0.12}, 0.5, 0.2));
+  for (const Color& tint :
+       {Color{0.72, 0.72, 0.70}, {0.12, 0.20, 0.34}, {0.28, 0.30, 0.31}, {0.30, 0.16, 0.08}})
+    m.gate.push_back(writer.add_material(plain("gate_" + std::to_string(m.gate.size()), tint, 0.5)));
+}
+
 void add_openings(GlbWriter& writer, Materials& m, std::uint64_t seed) {
   Draws draws{make_stream(seed, "joinery colours")};
   m.glass = writer.add_material(plain("glass", {0.018, 0.022, 0.026}, 0.04));
@@ -157,6 +184,7 @@ Materials make_materials(GlbWriter& writer, std::uint64_t seed) {
   Materials m;
   add_ground(writer, m, seed);
   add_walls(writer, m, seed);
+  add_works(writer, m, seed);
   add_openings(writer, m, seed);
   add_plants(writer, m, seed);
   add_vehicles_and_furniture(writer, m);

@@ -16,6 +16,10 @@ struct WallMaterial {
 struct Materials {
   MaterialId asphalt, asphalt_patch, tar, paving, kerb, gutter, grass, soil, road_paint, manhole;
   std::vector<WallMaterial> plaster, brick, concrete;
+  std::vector<WallMaterial> curtain_wall;  ///< glass: its tile is curtain_wall_panels × curtain_wall_storeys
+  std::vector<WallMaterial> sheet;         ///< ribbed metal; ribs run up the image
+  std::vector<MaterialId> gate, container_paint;
+  MaterialId fence_wire;
   WallMaterial stone;  ///< plinths, cornices
   MaterialId trim;     ///< sills and window surrounds
   MaterialId glass, curtained_glass, shutter, frame_white, frame_dark, door_wood, door_dark, awning;

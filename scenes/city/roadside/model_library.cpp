@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "scenes/city/buildings/building.h"
+#include "scenes/city/roadside/boundary.h"
+#include "scenes/city/roadside/goods.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
 
@@ -46,6 +48,28 @@ void add_cars(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
   }
 }
 
+void add_boundaries(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
+  const double half = boundary_module_m / 2 - 0.04;  // neighbours may touch
+  library.boundaries = {store(writer, hedge(m, boundary_module_m, 1.15, make_stream(seed, "hedge")), half,
+                              0.4, ModelKind::boundary),
+                        store(writer, picket_fence(m), half, 0.06, ModelKind::boundary),
+                        store(writer, mesh_fence(m), half, 0.05, ModelKind::boundary),
+                        store(writer, low_wall(m), half, 0.15, ModelKind::boundary),
+                        store(writer, high_wall(m), half, 0.12, ModelKind::boundary)};
+}
+
+void add_goods(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
+  const int first = writer.add_mesh(container(m, m.container_paint[0]));
+  for (std::size_t p = 0; p < m.container_paint.size(); ++p)
+    library.goods.push_back(
+        {ModelKind::goods,
+         p == 0 ? first : writer.add_variant(first, "container", m.container_paint[0], m.container_paint[p]),
+         "container", 3.05, 1.24, 0});
+  library.goods.push_back(store(writer, container_stack(m), 3.05, 1.24, ModelKind::goods));
+  library.goods.push_back(store(writer, pallets(m), 1.3, 0.65, ModelKind::goods));
+  library.goods.push_back(store(writer, silo(m), 1.7, 1.7, ModelKind::goods));
+}
+
 void add_far_houses(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
   for (int i = 0; i < 7; ++i) {
     Draws draws{substream(make_stream(seed, "far house"), i)};
@@ -74,8 +98,8 @@ ModelLibrary make_models(GlbWriter& writer, const Materials& m, std::uint64_t se
   library.bin = store(writer, bin(m), 0.4, 0.2);
   library.bench = store(writer, bench(m), 0.35, 0.9);
   library.switch_box = store(writer, switch_box(m), 0.2, 0.62);
-  library.hedge = store(writer, hedge(m, hedge_module_m, 1.15, make_stream(seed, "hedge")),
-                        hedge_module_m / 2, 0.4, ModelKind::hedge);
+  add_boundaries(library, writer, m, seed);
+  add_goods(library, writer, m);
   for (const SignKind kind : {SignKind::no_stopping, SignKind::yield, SignKind::priority, SignKind::parking,
                               SignKind::crossing, SignKind::speed})
     library.signs.push_back(store(writer, traffic_sign(m, kind), 0.3, 0.06));

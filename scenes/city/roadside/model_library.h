@@ -7,7 +7,7 @@
 /// Everything that stands in the city more than once: stored as one mesh, placed by many nodes.
 namespace cps::city {
 
-enum class ModelKind { tree, hedge, car, furniture, house };
+enum class ModelKind { tree, boundary, car, furniture, goods, house };
 
 struct Model {
   ModelKind kind = ModelKind::furniture;
@@ -21,13 +21,13 @@ struct Model {
 struct ModelLibrary {
   std::vector<std::vector<Model>> trees;  ///< [species, in tree_species()'s order][variant]
   std::vector<std::vector<Model>> cars;   ///< [class, in vehicle_classes()'s order][paint]
-  Model lamp, tall_lamp, bollard, bin, bench, switch_box, hedge;
-  std::vector<Model> signs;  ///< by SignKind
+  Model lamp, tall_lamp, bollard, bin, bench, switch_box;
+  std::vector<Model> boundaries;  ///< one module each, by BoundaryKind
+  std::vector<Model> goods;       ///< containers, silos
+  std::vector<Model> signs;       ///< by SignKind
   Model traffic_light_red, traffic_light_green;
   std::vector<Model> far_houses;
 };
-
-inline constexpr double hedge_module_m = 2.0;
 
 ModelLibrary make_models(GlbWriter& writer, const Materials& materials, std::uint64_t seed);
 

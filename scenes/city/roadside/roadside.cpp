@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/city/roadside/boundary.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
 #include "scenes/city/streets/road_markings.h"
@@ -71,15 +72,22 @@ class Furnisher {
                                                 : shrub);
       place_tree(species, p, scale, draws);
     }
-    for (const Polyline& line : plan.hedges) {
-      const double total = length(line);
-      for (double s = hedge_module_m / 2; s + hedge_module_m / 2 <= total; s += hedge_module_m) {
-        if (draws.chance(0.12)) s += 1.3;  // a garden gate
-        const Station at = station_at(line, s);
-        if (s + hedge_module_m / 2 <= total)
-          try_place({&models.hedge, at.point, kerb_height_m, angle_of(at.direction), 1});
-      }
+  }
+
+  /// Cars on driveways and in yards, goods, fences and hedges.
+  void furnish_lots() {
+    Draws draws{substream(stream, 2)};
+    for (const Spot& spot : plan.car_spots) {
+      const Model& model = draws.one_of(draws.one_of(models.cars));
+      if (draws.chance(std::min(1.0, 0.8 * options.parked_cars)))
+        try_place({&model, spot.position, kerb_height_m + spot.rise_m, angle_of(spot.direction), 1});
     }
+    for (const Spot& spot : plan.goods_spots) {
+      const Model& model = draws.one_of(models.goods);
+      const double heading = angle_of(spot.direction) + (draws.chance(0.2) ? std::numbers::pi / 2 : 0.0);
+      try_place({&model, spot.position, kerb_height_m, heading, 1});
+    }
+    for (const Boundary& boundary : plan.boundaries) enclose(boundary);
   }
 
  private:
@@ -119,6 +127,19 @@ class Furnisher {
       scale = std::min(scale, std::max(0.0, room + 0.1) / model.crown_radius);
     }
     if (scale > 0.45) try_place({&model, p, kerb_height_m, heading, scale});
+  }
+
+  /// A line of modules, scaled a little so that they fill it.
+  void enclose(const Boundary& boundary) {
+    const double total = length(boundary.line);
+    const int count = std::max(1, static_cast<int>(std::lround(total / boundary_module_m)));
+    const double step = total / count;
+    for (int k = 0; k < count; ++k) {
+      const Vec2 from = station_at(boundary.line, k * step).point,
+                 to = station_at(boundary.line, (k + 1) * step).point;
+      try_place({&models.boundaries[static_cast<int>(boundary.kind)], (from + to) / 2, kerb_height_m,
+                 angle_of(to - from), std::min((to - from).norm() / boundary_module_m, 1.25)});
+    }
   }
 
   void park(const Kerb& kerb, double parking_m, bool with_side, Stream own) {
@@ -227,6 +248,7 @@ std::vector<PlacedModel> furnish(const StreetNetwork& network, int block, const 
   const std::vector<Side>& sides = network.blocks[block].sides;
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (network.is_road(sides[i])) furnisher.furnish_side(sides[i], plan.pavement_m[i], options.seed);
+  furnisher.furnish_lots();
   furnisher.plant_gardens();
   return std::move(furnisher.placed);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/city/buildings/block_plan.h"
+#include "scenes/city/blocks/block_plan.h"
 #include "scenes/city/roadside/model_library.h"
 
 namespace cps::city {

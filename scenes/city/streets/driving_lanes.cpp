@@ -66,6 +66,16 @@ Polyline turn(const LaneEnd& from, const LaneEnd& to, double max_radius_m) {
   return line;
 }
 
+/// Bends at the very ends fold the lanes inside them back: takes such points out.
+void drop_folds(Polyline& line) {
+  constexpr double shortest_m = 1;
+  while (line.size() > 2 && (line[1] - line[0]).dot(line[2] - line[1]) <= 0) line.erase(line.begin() + 1);
+  while (line.size() > 2 && (line[1] - line[0]).norm() < shortest_m) line.erase(line.begin() + 1);
+  const auto last = [&](std::size_t i) { return line[line.size() - 1 - i]; };
+  while (line.size() > 2 && (last(0) - last(1)).dot(last(1) - last(2)) <= 0) line.erase(line.end() - 2);
+  while (line.size() > 2 && (last(0) - last(1)).norm() < shortest_m) line.erase(line.end() - 2);
+}
+
 class JunctionLinks {
  public:
   JunctionLinks(const StreetNetwork& network, int junction, const std::vector<SegmentLanes>& by_segment,
@@ -76,9 +86,17 @@ class JunctionLinks {
     std::vector<Side> arms;
     for (const Side& arm : network.junctions[junction].arms)
       if (network.is_road(arm)) arms.push_back(arm);
-    for (const Side& in : arms)
+    for (const Side& in : arms) {
+      bool has_right = false, has_left = false;
+      for (const Side& out : arms) {
+        if (in == out || arriving(in).empty() || leaving(out).empty()) continue;
+        const double angle = change(arriving(in)[0], leaving(out)[0]);
+        has_right |= angle <= -straight_rad;
+        has_left |= angle >= straight_rad;
+      }
       for (const Side& out : arms)
-        if (!(in == out)) link_arms(arriving(in), leaving(out));
+        if (!(in == out)) link_arms(arriving(in), leaving(out), has_right, has_left);
+    }
     for (const Side& arm : arms) {  // nobody is left without a way on or in
       for (std::size_t i = 0; i < arriving(arm).size(); ++i)
         if (lanes[arriving(arm)[i]].next.empty()) link_to_nearest(arms, arm, i, true);
@@ -101,15 +119,21 @@ class JunctionLinks {
     });
   }
 
-  void link_arms(const std::vector<int>& in, const std::vector<int>& out) {
+  void link_arms(const std::vector<int>& in, const std::vector<int>& out, bool has_right, bool has_left) {
     if (in.empty() || out.empty()) return;
     const double angle = change(in[0], out[0]);
-    if (std::abs(angle) < straight_rad)
+    if (std::abs(angle) < straight_rad) {
       for (std::size_t i = 0; i < std::min(in.size(), out.size()); ++i) add(in[i], out[i]);
-    else if (angle < 0)
-      add(in.front(), out.front());
-    else
-      add(in.back(), out.back());
+      // Whose lane does not turn here changes lanes, or he would never leave this street.
+      for (std::size_t i = 0; i < in.size(); ++i) {
+        const bool turns = (i == 0 && has_right) || (i + 1 == in.size() && has_left);
+        if (turns) continue;
+        if (i > 0 && i - 1 < out.size()) add(in[i], out[i - 1]);
+        if (i == 0 && out.size() > 1) add(in[i], out[1]);
+      }
+    } else {
+      for (const int lane : out) add(angle < 0 ? in.front() : in.back(), lane);
+    }
   }
 
   /// From or to lane `i` of an arm, to or from the arm that lies straightest ahead.
@@ -170,6 +194,7 @@ std::vector<DrivingLane> driving_lanes(const StreetNetwork& network) {
       lane.street = segment.street;
       lane.width_m = profile.lane_width_m;
       lane.points = offset(centre, left_m);
+      drop_folds(lane.points);
       if (backward) std::reverse(lane.points.begin(), lane.points.end());
       lane.left_kerb_m = profile.half_width() + (backward ? left_m : -left_m);
       lane.right_kerb_m = 2 * profile.half_width() - lane.left_kerb_m;

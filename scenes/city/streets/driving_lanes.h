@@ -14,8 +14,9 @@ struct DrivingLane {
   double left_kerb_m = 0, right_kerb_m = 0;  ///< from its middle, outside junctions
 };
 
-/// All lanes: those of each segment, then the ways through each junction. Right turns leave from and lead to
-/// the lane at the kerb, left turns the innermost; no lane ends blind and none is without a way in.
+/// All lanes: those of each segment, then the ways through each junction. Right turns leave from the lane at
+/// the kerb, left turns from the innermost, into any lane of the other street; no lane ends blind and none is
+/// without a way in.
 std::vector<DrivingLane> driving_lanes(const StreetNetwork& network);
 
 }  // namespace cps::city

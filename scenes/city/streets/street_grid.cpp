@@ -1,16 +1,16 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "scenes/city/draws.h"
 #include "scenes/city/streets/street_network.h"
+#include "scenes/city/streets/street_profiles.h"
 
 /// The plan of the streets: two families of lines, straight or gently bent, with pieces left out.
 namespace cps::city {
 namespace {
 
-constexpr double min_gap_m = 44;       // between the centre lines of neighbouring streets
-constexpr double rim_depth_m = 46;     // of the blocks behind the outermost streets
-constexpr double straight_end_m = 18;  // bent streets reach their junctions straight
+constexpr double rim_depth_m = 46;  // of the blocks behind the outermost streets
 constexpr double bend_step_m = 6;
 
 /// across = base + slope · along + amplitude · sin(wave · along + phase)
@@ -22,23 +22,7 @@ struct GridLine {
   }
 };
 
-StreetProfile draw_profile(Draws& draws, bool ring) {
-  const double kind = ring ? draws.uniform(0.4, 0.75) : draws.uniform(0, 1);
-  StreetProfile p;
-  if (kind < 0.42) {
-    p = {"residential", 1, 1, draws.uniform(3.0, 3.3), 2.2, 2.2, draws.uniform(2.4, 3.2), draws.chance(0.4)};
-  } else if (kind < 0.75) {
-    const bool parking = draws.chance(0.7);
-    p = {"collector", 1, 1, draws.uniform(3.25, 3.75), 0, parking ? 2.3 : 0.0, draws.uniform(2.8, 4.2), true};
-  } else if (kind < 0.88) {
-    p = {"avenue", 2, 2, draws.uniform(3.0, 3.4), 2.3, 2.3, draws.uniform(3.8, 5.0), true};
-  } else {
-    p = {"one-way", 1, 0, draws.uniform(3.4, 3.75), 2.1, 2.1, draws.uniform(2.2, 3.0), false};
-  }
-  return p;
-}
-
-std::vector<GridLine> draw_lines(Stream family, int count, double extent, double waviness) {
+std::vector<GridLine> draw_lines(Stream family, int count, double extent, double waviness, CityStyle style) {
   Draws spacing{substream(family, 0)};
   std::vector<double> gaps(count - 1);
   double sum = 0;
@@ -57,13 +41,13 @@ std::vector<GridLine> draw_lines(Stream family, int count, double extent, double
       line.wave = 2 * std::numbers::pi / draws.uniform(240, 520);
       line.phase = draws.uniform(0, 2 * std::numbers::pi);
     }
-    line.profile = draw_profile(draws, ring);
+    line.profile = draw_street_profile(draws, style, ring);
     if (i + 1 < count) at += gaps[i] * extent / sum;
   }
   return lines;
 }
 
-bool too_close(const std::vector<GridLine>& lines, double extent) {
+bool too_close(const std::vector<GridLine>& lines, double extent, double min_gap_m) {
   for (std::size_t i = 1; i < lines.size(); ++i)
     for (double along = -extent / 2; along <= extent / 2; along += 5)
       if (lines[i](along) - lines[i - 1](along) < min_gap_m) return true;
@@ -71,8 +55,8 @@ bool too_close(const std::vector<GridLine>& lines, double extent) {
 }
 
 /// Straightens the lines towards an even grid until neighbours keep their distance.
-void keep_apart(std::vector<GridLine>& lines, double extent) {
-  while (too_close(lines, extent))
+void keep_apart(std::vector<GridLine>& lines, double extent, double min_gap_m) {
+  while (too_close(lines, extent, min_gap_m))
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const double even = extent * (static_cast<double>(i) / (lines.size() - 1) - 0.5);
       lines[i].base += 0.25 * (even - lines[i].base);
@@ -97,6 +81,7 @@ struct Grid {
 Polyline piece_of(const GridLine& line, bool is_row, const Vec2& from, const Vec2& to) {
   if (line.amplitude == 0) return {from, to};
   const double a = is_row ? from.x() : from.y(), b = is_row ? to.x() : to.y();
+  const double straight_end_m = std::clamp(0.36 * (b - a), 18.0, 32.0);  // junctions are reached straight
   const int steps = std::max(1, static_cast<int>((b - a - 2 * straight_end_m) / bend_step_m));
   Polyline points{from};
   for (int i = 0; i <= steps; ++i) {
@@ -187,15 +172,20 @@ void rotate(StreetNetwork& network, double angle_rad) {
 StreetNetwork draw_street_network(const CityOptions& options) {
   Draws draws{make_stream(options.seed, "streets")};
   const double extent = options.extent_m;
-  const double waviness = draws.chance(0.4) ? 0.0 : draws.uniform(0.2, 0.7);
+  const StreetPattern pattern = street_pattern(options.style);
+  const double waviness = draws.chance(pattern.straight_share) ? 0.0 : draws.uniform(0.2, 0.7);
   const double omission_rate = draws.uniform(0.05, 0.3);
-  const auto line_count = [&] { return 1 + std::max(5, static_cast<int>(extent / draws.uniform(60, 76))); };
+  const auto line_count = [&] {
+    return 1 +
+           std::max(pattern.least_blocks,
+                    static_cast<int>(extent / draws.uniform(pattern.spacing_min_m, pattern.spacing_max_m)));
+  };
   Grid grid;
   const int rows = line_count(), columns = line_count();
-  grid.rows = draw_lines(make_stream(options.seed, "rows"), rows, extent, waviness);
-  grid.columns = draw_lines(make_stream(options.seed, "columns"), columns, extent, waviness);
-  keep_apart(grid.rows, extent);
-  keep_apart(grid.columns, extent);
+  grid.rows = draw_lines(make_stream(options.seed, "rows"), rows, extent, waviness, options.style);
+  grid.columns = draw_lines(make_stream(options.seed, "columns"), columns, extent, waviness, options.style);
+  keep_apart(grid.rows, extent, pattern.min_gap_m);
+  keep_apart(grid.columns, extent, pattern.min_gap_m);
 
   StreetNetwork network;
   std::vector<int> degree;

@@ -1,4 +1,4 @@
-#include "scenes/city/buildings/frontage.h"
+#include "scenes/city/blocks/frontage.h"
 
 #include <algorithm>
 #include <cmath>

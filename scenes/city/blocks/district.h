@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+
+#include "scenes/city/city.h"
+#include "scenes/city/geometry/plan_geometry.h"
+
+namespace cps::city {
+
+/// How one district leans: drawn once, felt in every block.
+struct CityCharacter {
+  double closed = 0, detached = 0, slabs = 0, park = 0, towers = 0, halls = 0;  ///< shares of block kinds
+  double mean_storeys = 3.5, shop_share = 0.3, flat_roof_share = 0.3, tree_density = 1;
+};
+
+/// The character that a seed gives a style (any but mixed).
+CityCharacter draw_character(std::uint64_t seed, CityStyle style = CityStyle::european);
+
+/// Where which style holds: all over the city, or around sites of the mixed one.
+struct Districts {
+  struct Site {
+    Vec2 position;
+    CityStyle style;
+  };
+  std::vector<Site> sites;  ///< a point belongs to the nearest
+  std::array<CityCharacter, 4> characters;
+
+  CityStyle style_at(const Vec2& point) const;
+  const CityCharacter& character_at(const Vec2& point) const {
+    return characters[static_cast<std::size_t>(style_at(point))];
+  }
+};
+
+Districts draw_districts(const CityOptions& options);
+
+}  // namespace cps::city

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scenes/city/materials/materials.h"
+
+namespace cps::city {
+
+/// Length of one piece of fence, wall or hedge; lines are filled with slightly scaled ones.
+inline constexpr double boundary_module_m = 2.0;
+
+/// Pieces along x around the origin, foot on the ground.
+Mesh picket_fence(const Materials& materials);
+Mesh mesh_fence(const Materials& materials);
+Mesh low_wall(const Materials& materials);
+Mesh high_wall(const Materials& materials);
+
+}  // namespace cps::city
