@@ -42,7 +42,8 @@ po::options_description describe_all(DistortRequest& request) {
   auto add = options.add_options();
   add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees");
   add("source", po::value(&request.source_file), "or the input's calibration, without distortion");
-  add("draw", po::value(&request.scheme), "draw the lens: sequential, shape_prior; instead of --lens");
+  add("draw", po::value(&request.scheme),
+      "draw the lens: sequential, shape_prior, real_lenses; instead of --lens");
   add("seed", po::value(&request.seed)->default_value(request.seed), "of the draw");
   add("number", po::value(&request.number)->default_value(request.number),
       "which of the lenses that cps lens sample lists");

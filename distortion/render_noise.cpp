@@ -36,10 +36,9 @@ OIIO::ImageBuf warp(const MasterHalves& master, const Pinhole& master_camera, co
   narrower.kernel_sigma_px = std::sqrt(options.kernel_sigma_px * options.kernel_sigma_px - grain / 12);
   narrower.require_resolution = false;  // asked of the picture already; weightless where it is lacking
   const OIIO::ImageBuf half_difference = algo::mul(algo::sub(master.first, master.second), 0.5f);
-  const OIIO::ImageBuf noise =
-      warp_weighted(half_difference, master_camera, lens, output, narrower, [](float source_area) {
-        return std::sqrt(std::max(0.0f, float(grain) * source_area - 1));
-      });
+  const OIIO::ImageBuf noise = warp_weighted(
+      half_difference, master_camera, lens, output, narrower,
+      [](float source_area) { return std::sqrt(std::max(0.0f, float(grain) * source_area - 1)); });
   return algo::add(picture, noise);
 }
 

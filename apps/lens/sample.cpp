@@ -16,7 +16,7 @@ namespace cps {
 namespace {
 
 /// One line of the table: every number under its name.
-nlohmann::ordered_json row_of(int number, const DrawnLens& lens, double base_hfov_deg) {
+nlohmann::ordered_json row_of(int number, const DrawnLens& lens) {
   const Pinhole& camera = lens.crop.camera;
   return {{"number", number},
           {"k1", lens.distortion.k1},
@@ -30,7 +30,7 @@ nlohmann::ordered_json row_of(int number, const DrawnLens& lens, double base_hfo
           {"cx", camera.cx},
           {"cy", camera.cy},
           {"fov", degrees(hfov_rad(camera))},
-          {"fov_base_deg", base_hfov_deg},
+          {"fov_base_deg", degrees(hfov_rad(lens.base))},
           {"zoom", lens.crop.zoom},
           {"min_eigenvalue", lens.crop.certificate.min_eigenvalue}};
 }
@@ -68,6 +68,7 @@ int cps_lens_sample(const Arguments& arguments) {
   options.add_options()("count", po::value(&count)->required(), "how many lenses")(
       "size", po::value(&size_text)->required(), "WIDTHxHEIGHT of the images")(
       "hfov", po::value(&hfov_deg)->required(), "H-FOV of the base, before the crop, degrees")(
+      "label-first", "--hfov is the image's, after the crop; each lens gets the base that leads there")(
       "seed", po::value(&seed)->default_value(seed), "the same seed draws the same lenses")(
       "json", "instead of comma-separated values")("output,o", po::value(&plot_file), "a plot, .svg");
   LensOptions lenses;
@@ -77,7 +78,8 @@ int cps_lens_sample(const Arguments& arguments) {
   positional.add("count", 1);
   po::variables_map values;
   if (!parse_options(arguments,
-                     "cps lens sample N --size WxH --hfov DEG [--lens_draw SCHEME] [--seed S]\nLenses as cps "
+                     "cps lens sample N --size WxH --hfov DEG [--label-first] [--lens_draw SCHEME] [--seed "
+                     "S]\nLenses as cps "
                      "generate draws them, with what is left after the crop.\n",
                      options, positional, values))
     return 0;
@@ -90,12 +92,12 @@ int cps_lens_sample(const Arguments& arguments) {
   if (!(hfov_deg >= 5 && hfov_deg <= 165)) throw po::error("--hfov: must lie between 5 and 165 degrees");
   if (std::string why; !lenses.is_valid(&why)) throw po::error(why);
 
-  const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
+  const Pinhole camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
+  const CropOrder order = values.count("label-first") ? CropOrder::label_first : CropOrder::base_first;
   auto rows = nlohmann::ordered_json::array();
   for (int number = 1; number <= count; ++number)
-    rows.push_back(row_of(
-        number, draw_lens(base, CropOrder::base_first, lenses, substream(make_stream(seed, "lens"), number)),
-        hfov_deg));
+    rows.push_back(
+        row_of(number, draw_lens(camera, order, lenses, substream(make_stream(seed, "lens"), number))));
   if (!plot_file.empty()) write_file(plot_file, to_svg(sample_plots(rows), 3));
   if (values.count("json"))
     fmt::print("{}\n", rows.dump(1));

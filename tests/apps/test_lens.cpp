@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "cps_program.h"
@@ -148,6 +149,15 @@ TEST_CASE("lens sample lists the lenses that a recipe would draw") {
     CHECK(json[i]["min_eigenvalue"].get<double>() >= 0.15);
   }
   CHECK_THAT(read_file(plot), Catch::Contains("k2 against k1"));
+  // Label-first, every image has the H-FOV asked for, and bases differ.
+  const auto label_first = nlohmann::json::parse(run_cps(common + "--label-first --json").output);
+  std::set<double> bases;
+  for (const auto& lens : label_first) {
+    CHECK(lens.at("fov").get<double>() == Approx(80).epsilon(1e-6));
+    CHECK(lens.at("fov_base_deg").get<double>() > 80 - 1e-6);
+    bases.insert(lens.at("fov_base_deg").get<double>());
+  }
+  CHECK(bases.size() == 20);
   check_refused("lens sample 0 --size 640x360 --hfov 80", 2, "between 1 and");
   check_refused("lens sample 5 --hfov 80", 2, "size");
   check_refused("lens sample 5 --size 640x360 --hfov 80 --lens_draw guess", 2, "sequential, shape_prior");

@@ -1,10 +1,9 @@
-#include "distortion/render_noise.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "distortion/crop.h"
+#include "distortion/render_noise.h"
 #include "random/counter_hash.h"
 
 using namespace cps;
@@ -71,7 +70,8 @@ TEST_CASE("render noise has one level and one grain wherever the lens enlarges o
   }
   for (int ring = 0; ring < Rings::count; ++ring) {
     INFO("ring " << ring << ": variance " << even.variance(ring) << ", as rendered " << uneven.variance(ring)
-                 << "; correlation of neighbours " << even.neighbours(ring) << ", " << uneven.neighbours(ring));
+                 << "; correlation of neighbours " << even.neighbours(ring) << ", "
+                 << uneven.neighbours(ring));
     // About five pixels to an independent one leave 10,000 in the smallest ring: 1.4 % of standard deviation.
     CHECK(even.variance(ring) == Approx(variance).epsilon(0.05));
     CHECK(even.neighbours(ring) == Approx(neighbours).margin(0.015));
@@ -98,7 +98,8 @@ TEST_CASE("halves that do not belong together are refused") {
   const Barrel b;
   const Stream stream = make_stream(19, "picture");
   const MasterHalves unlike{b.noise(1, 1, stream), b.noise(1, 3, stream)};
-  CHECK_THROWS_WITH(warp(unlike, b.master, b.lens, b.crop.camera, b.options), Catch::Contains("halves differ"));
+  CHECK_THROWS_WITH(warp(unlike, b.master, b.lens, b.crop.camera, b.options),
+                    Catch::Contains("halves differ"));
   const MasterHalves alike{b.noise(1, 1, stream), b.noise(1, 1, stream)};
   WarpOptions options = b.options;
   options.resampling = Resampling::nearest;

@@ -21,8 +21,8 @@ bool is_good_refusal(const std::string& line, const std::string& file) {
 
 }  // namespace
 
-/// Imports the bytes and makes the tracer's tables and lamps of what comes out: whatever the importer lets through, the
-/// renderer must take.
+/// Imports the bytes and makes the tracer's tables and lamps of what comes out: whatever the importer lets
+/// through, the renderer must take.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const TemporaryFolder folder;
   static const std::string file = (folder.path / "scene.glb").string();

@@ -48,7 +48,7 @@ std::vector<Trial> photograph_board(const LensSet& set, const RenderScene& board
     const Eigen::Isometry3d pose = chessboard_pose(base, make_stream(stream.key, "pose"), v);
     const Master master =
         render_master(board, pose, master_pinhole,
-                      {.samples = 1, .max_shaded_vertices = 1, .seed = random_bits(stream, v)});
+                      {.samples = 4, .max_shaded_vertices = 1, .seed = random_bits(stream, v)});
     for (std::size_t i = 0; i < trials.size(); ++i) {
       const Stream photo = substream(make_stream(stream.key, "photograph"), v * trials.size() + i);
       const std::vector<BoardCorner> corners = corners_of(trials[i], pose);

@@ -46,12 +46,10 @@ TEST_CASE("places lie as thick in a junction as before and behind it") {
 }
 
 TEST_CASE("a turn into another part's street is driven to its middle, so no place has a twin there") {
-  const std::vector<Lane> lanes = {{"A", 3, {{0, 0, 0}, {50, 0, 0}}, {1, 2}},
-                                   {"A", 3, {{50, 0, 0}, {62, 0, 0}}, {3}},
-                                   {"A", 3, {{50, 0, 0}, {58, 0, 6}}, {4}},
-                                   {"A", 3, {{62, 0, 0}, {90, 0, 0}}, {}},
-                                   {"B", 3, {{58, 0, 6}, {58, 0, 100}}, {5}},
-                                   {"C", 3, {{58, 0, 100}, {58, 0, 130}}, {}}};
+  const std::vector<Lane> lanes = {
+      {"A", 3, {{0, 0, 0}, {50, 0, 0}}, {1, 2}}, {"A", 3, {{50, 0, 0}, {62, 0, 0}}, {3}},
+      {"A", 3, {{50, 0, 0}, {58, 0, 6}}, {4}},   {"A", 3, {{62, 0, 0}, {90, 0, 0}}, {}},
+      {"B", 3, {{58, 0, 6}, {58, 0, 100}}, {5}}, {"C", 3, {{58, 0, 100}, {58, 0, 130}}, {}}};
   const std::vector<Part> parts = {Part::train, Part::train, Part::train, Part::train, Part::test, Part::val};
   const std::vector<UsableStretch> usable = usable_stretches(lanes, parts);
   const auto check = [&](int lane, double from_m, double to_m) {
