@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-/// The undistorted, linear, oversampled render of a view, in two halves.
-MasterHalves render_master(const Plan& plan, const PlannedView& view, const RenderScene& scene) {
+/// The undistorted, linear, oversampled render of a view.
+NoisyMaster render_master(const Plan& plan, const PlannedView& view, const RenderScene& scene) {
   const Camera camera{.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
                       .pinhole = view.master};
   const auto render_half = [&](const char* stream) {
@@ -34,13 +34,13 @@ MasterHalves render_master(const Plan& plan, const PlannedView& view, const Rend
                    .max_shaded_vertices = plan.recipe.max_shaded_vertices,
                    .seed = make_stream(view.seed, stream).key});
   };
-  return {.first = render_half("first half"), .second = render_half("second half")};
+  return join_halves(render_half("first half"), render_half("second half"));
 }
 
 /// The master through one lens and the sensor into its file. The sensor is drawn from the view and the
 /// group's number alone, so that it knows nothing of the lens.
 ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedGroup& group,
-                       const MasterHalves& master, double exposure, const fs::path& root) {
+                       const NoisyMaster& master, double exposure, const fs::path& root) {
   const Stream stream = substream(make_stream(view.seed, "sensor"), group.lens_number);
   const SensorSettings sensor = draw_sensor(plan.recipe.sensor, make_stream(stream.key, "settings"));
   const OIIO::ImageBuf seen = warp(master, view.master, group.lens.distortion, group.lens.crop.camera,
@@ -55,8 +55,8 @@ ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedG
 /// Every image of one view.
 ViewRecord make_view(const Plan& plan, std::int64_t index, const RenderScene& scene, const fs::path& root) {
   const PlannedView& view = plan.views[index];
-  const MasterHalves master = render_master(plan, view, scene);
-  ViewRecord record{.view = index, .exposure = meter_exposure(mean(master)), .images = {}};
+  const NoisyMaster master = render_master(plan, view, scene);
+  ViewRecord record{.view = index, .exposure = meter_exposure(master.picture), .images = {}};
   record.images.resize(view.groups.size());
   tbb::parallel_for(std::size_t{0}, view.groups.size(), [&](std::size_t g) {
     record.images[g] = make_image(plan, view, plan.groups[view.groups[g]], master, record.exposure, root);

@@ -28,8 +28,7 @@ struct KernelScale {
 void kernels_of_row(const KernelScale& scale, int count, const double* __restrict jxx,
                     const double* __restrict jxy, const double* __restrict jyy, float* __restrict conic_xx,
                     float* __restrict conic_xy, float* __restrict conic_yy, float* __restrict half_width,
-                    float* __restrict half_height, float* __restrict smaller_variance,
-                    float* __restrict source_area) {
+                    float* __restrict half_height, float* __restrict smaller_variance) {
   constexpr double pixel_variance = 1.0 / 12, support2 = kernel_support * kernel_support;
   constexpr double narrowest = narrowest_sigma_px * narrowest_sigma_px;
   for (int i = 0; i < count; ++i) {
@@ -50,7 +49,6 @@ void kernels_of_row(const KernelScale& scale, int count, const double* __restric
     half_width[i] = static_cast<float>(kernel_support * std::sqrt(cxx));
     half_height[i] = static_cast<float>(kernel_support * std::sqrt(cyy));
     smaller_variance[i] = static_cast<float>(smaller);
-    source_area[i] = static_cast<float>(std::abs(axx * ayy - axy * ayx));
   }
 }
 
@@ -81,7 +79,7 @@ void kernels_at(const KernelScale& scale, int row, const JacobianRow& jacobian, 
   const int first = row * side;
   kernels_of_row(scale, tile.width, jacobian.xx.data(), jacobian.xy.data(), jacobian.yy.data(),
                  &tile.conic_xx[first], &tile.conic_xy[first], &tile.conic_yy[first], &tile.half_width[first],
-                 &tile.half_height[first], &tile.smaller_variance[first], &tile.source_area[first]);
+                 &tile.half_height[first], &tile.smaller_variance[first]);
 }
 
 void start(FootprintTile& tile, int width, int height) {
@@ -89,6 +87,7 @@ void start(FootprintTile& tile, int width, int height) {
   tile.height = height;
   tile.worst_residual_px = 0;
   tile.fallbacks = 0;
+  tile.weighted = false;
 }
 
 }  // namespace

@@ -28,8 +28,9 @@ struct FootprintTile {
   alignas(32) std::array<float, side * side> conic_xx, conic_xy, conic_yy, half_width, half_height;
   /// Smaller eigenvalue of C, before it is raised to narrowest_sigma_px² where it is below.
   alignas(32) std::array<float, side * side> smaller_variance;
-  alignas(32) std::array<float, side * side> source_area;  ///< |det A|: source pixels per output pixel
-  double worst_residual_px = 0;                            ///< of the inversion, where there was one
+  std::array<float, side * side> weight;  ///< what a gathered pixel is multiplied by, where `weighted`
+  bool weighted = false;
+  double worst_residual_px = 0;  ///< of the inversion, where there was one
   int fallbacks = 0;
 };
 

@@ -29,8 +29,7 @@ struct Worker {
 };
 
 /// Gathers one tile of the output whose footprints are known.
-void gather_tile(const OIIO::ImageBuf& source, const PixelFactor& factor, int x0, int y0, Worker& worker,
-                 OIIO::ImageBuf& output) {
+void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, OIIO::ImageBuf& output) {
   const FootprintTile& tile = *worker.tile;
   constexpr PixelBounds uncovered{-1, -1, -1, -1};
   PixelBounds all{source.spec().width, source.spec().height, -1, -1};
@@ -60,9 +59,8 @@ void gather_tile(const OIIO::ImageBuf& source, const PixelFactor& factor, int x0
       if (worker.bounds[index].x0 < 0) continue;
       float* pixel = &worker.row[std::size_t(column) * spec.nchannels];
       gather(worker.patch, tile, index, worker.bounds[index], pixel);
-      if (!factor) continue;
-      const float by = factor(tile.source_area[index]);
-      for (int channel = 0; channel < spec.nchannels; ++channel) pixel[channel] *= by;
+      if (!tile.weighted) continue;
+      for (int channel = 0; channel < spec.nchannels; ++channel) pixel[channel] *= tile.weight[index];
     }
     OIIO::convert_pixel_values(OIIO::TypeFloat, worker.row.data(), spec.format,
                                output.pixeladdr(x0, y0 + row), int(worker.row.size()));
@@ -72,7 +70,7 @@ void gather_tile(const OIIO::ImageBuf& source, const PixelFactor& factor, int x0
 }  // namespace
 
 OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
-                        const Footprints& footprints, WarpSummary* summary, const PixelFactor& factor) {
+                        const Footprints& footprints, WarpSummary* summary) {
   const auto start = std::chrono::steady_clock::now();
   OIIO::ImageSpec spec(output.width, output.height, source.spec().nchannels, source.spec().format);
   spec.channelnames = source.spec().channelnames;
@@ -94,7 +92,7 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
             worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
             worker.fallbacks += worker.tile->fallbacks;
             if (options.resampling == Resampling::footprint)
-              gather_tile(source, factor, x0, y0, worker, image);
+              gather_tile(source, x0, y0, worker, image);
             else
               worker.uncovered += sample_tile(source, *worker.tile, options.resampling, x0, y0, image);
           }

@@ -15,6 +15,6 @@ using Footprints = std::function<void(int x0, int y0, int width, int height, Foo
 /// Every pixel of `output` out of its footprint in the source, which is in memory and has 1–4 channels.
 /// Throws std::runtime_error in one line where the options want coverage or resolution and there is none.
 OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
-                        const Footprints& footprints, WarpSummary* summary, const PixelFactor& factor = {});
+                        const Footprints& footprints, WarpSummary* summary);
 
 }  // namespace cps

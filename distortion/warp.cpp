@@ -81,19 +81,20 @@ std::string WarpSummary::brief() const {
 
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
-  return warp_weighted(master, master_camera, lens, output, options, {}, summary);
+  return warp_through({}, master, master_camera, lens, output, options, summary);
 }
 
-OIIO::ImageBuf warp_weighted(const OIIO::ImageBuf& master, const Pinhole& master_camera,
-                             const Distortion& lens, const Pinhole& output, const WarpOptions& options,
-                             const PixelFactor& factor, WarpSummary* summary) {
+OIIO::ImageBuf warp_through(const FootprintChange& change, const OIIO::ImageBuf& master,
+                            const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
+                            const WarpOptions& options, WarpSummary* summary) {
   check_source(master, master_camera, output, options);
   const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output, options.box);
   const Footprints footprints = [&](int x0, int y0, int width, int height, FootprintTile& tile) {
     distorting_footprints(lens, box, master_camera, output, options.kernel_sigma_px, x0, y0, width, height,
                           tile);
+    if (change) change(tile);
   };
-  return resample(master, output, options, footprints, summary, factor);
+  return resample(master, output, options, footprints, summary);
 }
 
 OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const Distortion& lens,

@@ -8,6 +8,7 @@
 
 #include "distortion/brown_conrady.h"
 #include "distortion/certificate.h"
+#include "distortion/footprints.h"
 #include "distortion/pinhole.h"
 
 namespace cps {
@@ -68,13 +69,13 @@ struct WarpSummary {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 
-/// What a warped pixel is multiplied by, given how many source pixels it covers (FootprintTile::source_area).
-using PixelFactor = std::function<float(float source_area)>;
+/// Done to the kernels of a tile before anything is gathered through them.
+using FootprintChange = std::function<void(FootprintTile& tile)>;
 
-/// As warp(), every pixel weighted; no factor: 1.
-OIIO::ImageBuf warp_weighted(const OIIO::ImageBuf& master, const Pinhole& master_camera,
-                             const Distortion& lens, const Pinhole& output, const WarpOptions& options,
-                             const PixelFactor& factor, WarpSummary* summary = nullptr);
+/// As warp(), through other kernels at the same places; no change: warp() itself.
+OIIO::ImageBuf warp_through(const FootprintChange& change, const OIIO::ImageBuf& master,
+                            const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
+                            const WarpOptions& options, WarpSummary* summary = nullptr);
 
 /// The other way: the ideal image at `output` of one that was seen through the lens at `camera`. What the
 /// source does not show, or only beyond a fold, is 0; if coverage is required, it is an

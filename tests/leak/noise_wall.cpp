@@ -53,22 +53,22 @@ NoiseWall render_noise_wall(WallLight light, int samples, int side_px, std::uint
   const auto half = [&](const char* name) {
     return render(*scene, camera, {.samples = samples / 2, .seed = make_stream(seed, name).key});
   };
-  return {{.first = half("first half"), .second = half("second half")}};
+  return {join_halves(half("first half"), half("second half"))};
 }
 
-MasterHalves cut_master(const NoiseWall& wall, int width, int height, Stream stream) {
-  const OIIO::ImageSpec& spec = wall.halves.first.spec();
+NoisyMaster cut_master(const NoiseWall& wall, int width, int height, Stream stream) {
+  const OIIO::ImageSpec& spec = wall.master.picture.spec();
   if (width > spec.width || height > spec.height)
     throw std::runtime_error("the wall is smaller than the master");
   const int x0 = int(random_uniform(stream, 0) * (spec.width - width + 1)),
             y0 = int(random_uniform(stream, 1) * (spec.height - height + 1));
   const bool mirror = random_uniform(stream, 2) < 0.5, flip = random_uniform(stream, 3) < 0.5;
-  return {.first = cut(wall.halves.first, x0, y0, width, height, mirror, flip),
-          .second = cut(wall.halves.second, x0, y0, width, height, mirror, flip)};
+  return {.picture = cut(wall.master.picture, x0, y0, width, height, mirror, flip),
+          .noise = cut(wall.master.noise, x0, y0, width, height, mirror, flip)};
 }
 
 double relative_noise(const NoiseWall& wall) {
-  const OIIO::ImageBuf picture = mean(wall.halves);
+  const OIIO::ImageBuf& picture = wall.master.picture;
   const OIIO::ImageSpec& spec = picture.spec();
   double sum = 0, squares = 0;
   for (int y = 0; y < spec.height; ++y)

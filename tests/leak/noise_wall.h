@@ -10,7 +10,7 @@ namespace cps {
 /// Renders of a wall without texture that fills every view: its picture is render noise and nothing else.
 /// They are made once, with the project's path tracer, and masters of any size are cut out of them.
 struct NoiseWall {
-  MasterHalves halves;
+  NoisyMaster master;
 };
 
 enum class WallLight {
@@ -23,9 +23,9 @@ NoiseWall render_noise_wall(WallLight light, int samples, int side_px, std::uint
 
 /// A rectangle of the wall at a random place, in a random one of its four mirrored positions. Throws
 /// std::runtime_error when the wall is smaller than the rectangle.
-MasterHalves cut_master(const NoiseWall& wall, int width, int height, Stream stream);
+NoisyMaster cut_master(const NoiseWall& wall, int width, int height, Stream stream);
 
-/// Standard deviation of the mean of both halves over its mean, green channel.
+/// Standard deviation of the picture over its mean, green channel.
 double relative_noise(const NoiseWall& wall);
 
 }  // namespace cps

@@ -52,15 +52,15 @@ OIIO::ImageBuf photograph(const NoiseWall& wall, Resampler resampler, const Phot
   const Pinhole& output = photo.lens.crop.camera;
   const WarpOptions options{.box = frame_on_plane(photo.lens.base)};
   if (resampler == Resampler::bilinear_8bit) {
-    const MasterHalves master = cut_master(wall, width_px, height_px, stream);
-    return bilinear(develop(mean(master), photo.exposure, photo.sensor, photo.noise), photo.lens.base,
+    const NoisyMaster master = cut_master(wall, width_px, height_px, stream);
+    return bilinear(develop(master.picture, photo.exposure, photo.sensor, photo.noise), photo.lens.base,
                     photo.lens);
   }
   const Pinhole camera = master_camera(photo.lens.base, options, LensBounds{}.min_eigenvalue);
-  const MasterHalves master = cut_master(wall, camera.width, camera.height, stream);
+  const NoisyMaster master = cut_master(wall, camera.width, camera.height, stream);
   return develop(resampler == Resampler::pipeline
                      ? warp(master, camera, photo.lens.distortion, output, options)
-                     : warp(mean(master), camera, photo.lens.distortion, output, options),
+                     : warp(master.picture, camera, photo.lens.distortion, output, options),
                  photo.exposure, photo.sensor, photo.noise);
 }
 
@@ -77,7 +77,7 @@ WallPictures photograph_wall(const NoiseWall& wall, Resampler resampler, int cou
   constexpr std::size_t size = std::size_t(width_px) * height_px;
   pictures.pixels.resize(size * count);
   pictures.secrets.resize(count);
-  const double exposure = meter_exposure(mean(wall.halves));
+  const double exposure = meter_exposure(wall.master.picture);
   tbb::parallel_for(0, count, [&](int i) {
     const Stream own = substream(stream, i);
     const Pinhole base = pinhole_from_hfov(width_px, height_px, radians(base_hfov_deg[i % 5]));

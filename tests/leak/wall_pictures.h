@@ -10,8 +10,8 @@ namespace cps {
 
 /// How a picture is made of its master.
 enum class Resampler {
-  pipeline,      ///< as `cps generate` does: both halves, warp(), the sensor
-  unguarded,     ///< the same without its guard: warp() of the halves' mean
+  pipeline,      ///< as `cps generate` does: warp() of picture and noise, the sensor
+  unguarded,     ///< the same without its guard: warp() of the picture alone
   bilinear_8bit  ///< as many other generators do: an 8-bit picture of the output's size, bilinear
 };
 

@@ -13,7 +13,7 @@ namespace cps {
 /// The undistorted, linear, oversampled render that lenses of `base` share, and its exposure.
 struct Master {
   Pinhole camera;
-  MasterHalves halves;
+  NoisyMaster noisy;
   double exposure = 1;
 };
 
@@ -21,11 +21,11 @@ struct Master {
 inline Master render_master(const RenderScene& scene, const Eigen::Isometry3d& world_from_camera,
                             const Pinhole& camera, RenderOptions options) {
   const Camera view{.world_from_camera = world_from_camera, .pinhole = camera};
-  Master master{.camera = camera, .halves = {.first = render(scene, view, options), .second = {}}};
+  const OIIO::ImageBuf first = render(scene, view, options);
   options.seed = make_stream(options.seed, "second half").key;
-  master.halves.second = render(scene, view, options);
-  master.exposure = meter_exposure(mean(master.halves));
-  return master;
+  NoisyMaster noisy = join_halves(first, render(scene, view, options));
+  const double exposure = meter_exposure(noisy.picture);
+  return {.camera = camera, .noisy = std::move(noisy), .exposure = exposure};
 }
 
 /// 8-bit RGB: the master through the lens and a sensor drawn from `stream`.
@@ -33,7 +33,7 @@ inline OIIO::ImageBuf photograph(const Master& master, const Pinhole& base, cons
                                  const SensorOptions& sensor, Stream stream) {
   const SensorSettings settings = draw_sensor(sensor, make_stream(stream.key, "settings"));
   return develop(
-      warp(master.halves, master.camera, lens.distortion, lens.crop.camera, {.box = frame_on_plane(base)}),
+      warp(master.noisy, master.camera, lens.distortion, lens.crop.camera, {.box = frame_on_plane(base)}),
       master.exposure, settings, make_stream(stream.key, "noise"));
 }
 
