@@ -68,7 +68,8 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
   const std::pair<const char*, const char*> cases[] = {
       {"viws = 3", "viws"},
       {"samples = many", "samples = many: is not a whole number"},
-      {"samples = 0", "samples: must lie in [1, 65536]"},
+      {"samples = 0", "samples: must be even, in [2, 65536]"},
+      {"samples = 3", "samples: must be even, in [2, 65536]"},
       {"lenses = 3.5", "lenses"},
       {"lenses = -1", "lenses: must lie in"},
       {"seed = -1", "seed"},
