@@ -16,6 +16,7 @@
 #include "distortion/render_noise.h"
 #include "renderer/render.h"
 #include "sampler/plan.h"
+#include "sampler/rig_file.h"
 #include "scenes/gltf_import.h"
 
 namespace po = boost::program_options;
@@ -109,19 +110,23 @@ int cps_generate(const Arguments& arguments) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     values["threads"].as<int>());
   const Recipe recipe = recipe_from(values);
+  const fs::path recipe_folder =
+      values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
+  const Rig rig = find_rig(recipe.rig, recipe_folder);
+  const std::string wanted = to_text(recipe) + to_text(rig);
   const fs::path root = values["out"].as<std::string>();
   const std::vector<fs::path> scenes = scene_files(recipe, root / "scenes");
   const std::vector<std::string> hashes = scene_hashes(scenes);
-  const Job job{.fingerprint = job_fingerprint(recipe, hashes), .recipe_text = to_text(recipe)};
+  const Job job{.fingerprint = job_fingerprint(wanted, hashes), .recipe_text = wanted};
   if (is_finished(root)) {
     require_same_job(root, job);
     std::cout << root.string() << ": is finished; nothing to do\n";
     return 0;
   }
-  const Plan plan = make_plan(recipe, scenes, [](const fs::path& file) { return import_gltf(file); });
+  const Plan plan = make_plan(recipe, rig, scenes, [](const fs::path& file) { return import_gltf(file); });
   Journal journal(root, job);
   std::cout << root.string() << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
-            << image_count(plan) << " images\n";
+            << image_count(plan) << " images; " << plan.places.brief() << "\n";
   generate(plan, journal, root);
   finish_dataset(root, plan, journal.finished(), hashes);
   std::cout << root.string() << ": finished\n";

@@ -32,8 +32,8 @@ std::vector<std::string> scene_hashes(const std::vector<fs::path>& files) {
   return hashes;
 }
 
-std::string job_fingerprint(const Recipe& recipe, const std::vector<std::string>& scene_sha256) {
-  std::string job = generator_name() + "\n" + to_text(recipe);
+std::string job_fingerprint(const std::string& recipe_and_rig, const std::vector<std::string>& scene_sha256) {
+  std::string job = generator_name() + "\n" + recipe_and_rig;
   for (const std::string& hash : scene_sha256) job += hash + "\n";
   return sha256(job);
 }

@@ -20,6 +20,15 @@ nlohmann::ordered_json camera_json(const Pinhole& camera, const Distortion& lens
           {"cy", camera.cy}};
 }
 
+nlohmann::ordered_json rows_json(const Eigen::Isometry3d& pose) {
+  std::vector<std::vector<double>> rows;
+  for (int r = 0; r < 4; ++r) {
+    const Eigen::RowVector4d row = pose.matrix().row(r);
+    rows.push_back({row[0], row[1], row[2], row[3]});
+  }
+  return rows;
+}
+
 CalibratedCamera camera_from_json(const JsonKeys& keys) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> k = keys.matrix("K", 3, 3);
   return {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "dataset/camera_json.h"
 #include "dataset/files.h"
 #include "dataset/frames.h"
 #include "dataset/group_label.h"
@@ -32,6 +33,20 @@ Json conditions_json(const Plan& plan) {
                     {"sun_azimuth_deg", condition.daylight.sun_azimuth_deg},
                     {"turbidity", condition.daylight.turbidity}});
   return json;
+}
+
+Json rig_json(const Rig& rig) {
+  Json json = Json::array();
+  for (const RigCamera& camera : rig.cameras)
+    json.push_back({{"name", camera.name}, {"T_vehicle_camera", rows_json(vehicle_from_camera(camera))}});
+  return json;
+}
+
+Json places_json(const PlaceTally& places) {
+  Json rejected_for;
+  for (int i = 1; i < place_fault_count; ++i)
+    rejected_for[to_string(static_cast<PlaceFault>(i))] = places.faults[i];
+  return {{"drawn", places.drawn}, {"rejected", places.rejected()}, {"rejected_for", rejected_for}};
 }
 
 }  // namespace
@@ -75,20 +90,20 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     scene_list.push_back({{"file", plan.scenes[s].file.filename().string()},
                           {"credits", plan.scenes[s].credits},
                           {"sha256", scene_sha256[s]}});
-  write_json(root / "dataset.json",
-             {{"schema", label_schema},
-              {"name", plan.recipe.name},
-              {"generator", generator_name()},
-              {"seed", plan.recipe.seed},
-              {"recipe", recipe_json(plan.recipe)},
-              {"scenes", scene_list},
-              {"conditions", conditions_json(plan)},
-              {"sets", plan.sets.size()},
-              {"groups", plan.groups.size()},
-              {"views", plan.views.size()},
-              {"images", image_count(plan)},
-              {"places", {{"drawn", plan.drawn_places}, {"rejected", plan.rejected_places}}},
-              {"splits", splits}});
+  write_json(root / "dataset.json", {{"schema", label_schema},
+                                     {"name", plan.recipe.name},
+                                     {"generator", generator_name()},
+                                     {"seed", plan.recipe.seed},
+                                     {"recipe", recipe_json(plan.recipe)},
+                                     {"rig", rig_json(plan.rig)},
+                                     {"scenes", scene_list},
+                                     {"conditions", conditions_json(plan)},
+                                     {"sets", plan.sets.size()},
+                                     {"groups", plan.groups.size()},
+                                     {"views", plan.views.size()},
+                                     {"images", image_count(plan)},
+                                     {"places", places_json(plan.places)},
+                                     {"splits", splits}});
 }
 
 }  // namespace cps

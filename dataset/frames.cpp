@@ -41,7 +41,8 @@ std::vector<std::string> csv_fields(const std::string& line) {
 
 std::string frames_csv(const std::vector<Frame>& frames) {
   std::string csv =
-      "file,part,condition,street,vehicle_x_m,vehicle_y_m,vehicle_z_m,vehicle_heading_deg,"
+      "file,part,condition,street,vehicle_x_m,vehicle_y_m,vehicle_z_m,vehicle_heading_deg,vehicle_pitch_deg,"
+      "vehicle_roll_deg,"
       "camera_x_m,camera_y_m,camera_z_m,camera_qw,camera_qx,camera_qy,camera_qz,"
       "exposure,exposure_bias_ev,full_well_e,read_noise_e,sha256\n";
   for (const Frame& frame : frames) {
@@ -50,10 +51,11 @@ std::string frames_csv(const std::vector<Frame>& frames) {
     const Eigen::Isometry3d camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera);
     const Eigen::Vector3d& vehicle = view.place.position;
     const Eigen::Quaterniond q(camera.linear());
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                        std::filesystem::path(frame.image->file).filename().string(), to_string(view.part),
                        view.condition, csv_field(view.street), vehicle.x(), vehicle.y(), vehicle.z(),
-                       degrees(view.place.heading_rad), camera.translation().x(), camera.translation().y(),
+                       degrees(view.place.heading_rad), degrees(view.place.pitch_rad),
+                       degrees(view.place.roll_rad), camera.translation().x(), camera.translation().y(),
                        camera.translation().z(), q.w(), q.x(), q.y(), q.z(), frame.record->exposure,
                        sensor.exposure_bias_ev, sensor.full_well_e, sensor.read_noise_e, frame.image->sha256);
   }

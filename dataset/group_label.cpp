@@ -13,6 +13,7 @@ std::string generator_name() {
 }
 
 Label group_label(const Plan& plan, const PlannedGroup& group) {
+  const RigCamera& camera = plan.rig.cameras[group.camera];
   const Eigen::AlignedBox2d frame = frame_on_plane(group.lens.base);
   const LensBounds& bounds = plan.recipe.lens_options.bounds;
   const Certificate certificate =
@@ -32,8 +33,8 @@ Label group_label(const Plan& plan, const PlannedGroup& group) {
               .certificate_min_eigenvalue = certificate.min_eigenvalue,
               .certificate_max_roundtrip_px = 0,
               .limits = group.lens.limits,
-              .rig_camera = plan.camera.name,
-              .vehicle_from_camera = vehicle_from_camera(plan.camera),
+              .rig_camera = camera.name,
+              .vehicle_from_camera = vehicle_from_camera(camera),
               .part = group.part,
               .seed = plan.recipe.seed,
               .generator = generator_name()};

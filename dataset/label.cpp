@@ -27,16 +27,10 @@ void check_camera(const Pinhole& camera, const JsonKeys& reader) {
 }  // namespace
 
 nlohmann::ordered_json to_json(const Label& label) {
-  using Rows = std::vector<std::vector<double>>;
   nlohmann::ordered_json limits;
   for (std::size_t i = 0; i < lens_keys.size(); ++i) {
     limits[lens_keys[i]] = nullptr;
     if (label.limits[i]) limits[lens_keys[i]] = {label.limits[i]->low, label.limits[i]->high};
-  }
-  Rows extrinsic;
-  for (int r = 0; r < 4; ++r) {
-    const Eigen::RowVector4d row = label.vehicle_from_camera.matrix().row(r);
-    extrinsic.push_back({row[0], row[1], row[2], row[3]});
   }
   nlohmann::ordered_json json = {{"schema", label_schema}};
   json.update(camera_json(label.camera, label.distortion));
@@ -49,7 +43,7 @@ nlohmann::ordered_json to_json(const Label& label) {
        {{"min_eigenvalue", label.certificate_min_eigenvalue},
         {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
       {"limits", limits},
-      {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", extrinsic}}},
+      {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera)}}},
       {"part", to_string(label.part)},
       {"seed", label.seed},
       {"generator", label.generator}});

@@ -6,7 +6,7 @@
 
 namespace cps {
 
-SetGroups::SetGroups(Plan& plan, int set) : plan_(plan), set_(set) {
+SetGroups::SetGroups(Plan& plan, int set, int camera) : plan_(plan), set_(set), camera_(camera) {
   undistorted_ = add(0, Part::all, undistorted_lens(plan.sets[set].camera));
 }
 
@@ -32,12 +32,13 @@ SetGroups::Block SetGroups::draw_block(Part part) {
 }
 
 int SetGroups::add(int lens_number, Part part, const DrawnLens& lens) {
-  plan_.groups.push_back(
-      {.folder = fmt::format("{}/{}_lens{:04}", plan_.sets[set_].folder, plan_.camera.name, lens_number),
-       .set = set_,
-       .lens_number = lens_number,
-       .part = part,
-       .lens = lens});
+  plan_.groups.push_back({.folder = fmt::format("{}/{}_lens{:04}", plan_.sets[set_].folder,
+                                                plan_.rig.cameras[camera_].name, lens_number),
+                          .set = set_,
+                          .camera = camera_,
+                          .lens_number = lens_number,
+                          .part = part,
+                          .lens = lens});
   return static_cast<int>(plan_.groups.size()) - 1;
 }
 

@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// Adds one set's groups to the plan as its views ask for them: the undistorted one, and `lenses` of its own
-/// for every block of `views_per_lens` views of each part.
+/// Adds one set's and camera's groups to the plan as its views ask for them: the undistorted one, and
+/// `lenses` of its own for every block of `views_per_lens` views of each part.
 class SetGroups {
  public:
   /// What views share that are seen through the same lenses.
@@ -18,7 +18,7 @@ class SetGroups {
     Pinhole master;
   };
 
-  SetGroups(Plan& plan, int set);
+  SetGroups(Plan& plan, int set, int camera);
 
   /// The block of the part's `rank_in_part`-th view.
   const Block& block_of(Part part, int rank_in_part);
@@ -28,7 +28,7 @@ class SetGroups {
   int add(int lens_number, Part part, const DrawnLens& lens);
 
   Plan& plan_;
-  int set_;
+  int set_, camera_;
   int undistorted_;
   std::map<std::pair<Part, int>, Block> blocks_;
 };

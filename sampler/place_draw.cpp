@@ -1,10 +1,14 @@
 #include "sampler/place_draw.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "distortion/pinhole.h"
 #include "sampler/splits.h"
+#include "scenes/wheels.h"
 
 namespace cps {
 namespace {
@@ -16,7 +20,32 @@ constexpr double blind_end_m = 3;
 constexpr double other_part_m = 10;
 
 /// What one attempt draws, by index into the attempt's stream.
-enum Drawn : std::uint64_t { along, lateral, heading, yaw, pitch, roll };
+enum Drawn : std::uint64_t { along, lateral, heading };
+/// And for each camera, from a stream of its own.
+enum DrawnMount : std::uint64_t { yaw, pitch, roll, forward, left, up };
+
+RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) {
+  camera.yaw_deg += recipe.mount_error_deg * random_normal(draw, yaw);
+  camera.pitch_deg += recipe.mount_error_deg * random_normal(draw, pitch);
+  camera.roll_deg += recipe.mount_error_deg * random_normal(draw, roll);
+  camera.position_m +=
+      recipe.mount_error_m *
+      Eigen::Vector3d(random_normal(draw, forward), random_normal(draw, left), random_normal(draw, up));
+  return camera;
+}
+
+/// Of the first camera that has one.
+PlaceFault rig_fault(const SceneRays& rays, const DrawnPlace& drawn, const Recipe& recipe) {
+  for (const RigCamera& camera : drawn.cameras) {
+    const Eigen::Isometry3d vehicle = vehicle_from_camera(camera);
+    const bool looks_ahead = vehicle.linear()(0, 2) > 0.5;  // within 60° of the driving direction
+    const Eigen::Isometry3d world = world_from_vehicle(drawn.place) * vehicle;
+    const PlaceFault fault = place_fault(rays, world.translation(), world.linear().col(2),
+                                         looks_ahead ? recipe.clearance_m : recipe.side_clearance_m);
+    if (fault != PlaceFault::none) return fault;
+  }
+  return PlaceFault::none;
+}
 
 std::vector<Part> parts_of_lanes(const DrivableScene& scene) {
   std::vector<Part> parts(scene.lanes.size(), Part::all);
@@ -54,7 +83,7 @@ DrivableScene drivable_scene(const Scene& scene, const std::string& name, const 
                          .usable = {},
                          .routes = routes(scene),
                          .route_parts = {},
-                         .clearance = ClearanceQuery(scene)};
+                         .rays = SceneRays(scene)};
   if (drivable.lanes.empty())
     throw std::runtime_error(name + ": has no lanes to drive on; give its glTF scene extras.cps_lanes");
   if (recipe.split == "thesis") {
@@ -73,7 +102,24 @@ DrivableScene drivable_scene(const Scene& scene, const std::string& name, const 
   return drivable;
 }
 
-DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part part, const Recipe& recipe,
+void PlaceTally::add(const PlaceTally& other) {
+  drawn += other.drawn;
+  for (std::size_t i = 0; i < faults.size(); ++i) faults[i] += other.faults[i];
+}
+
+std::string PlaceTally::brief() const {
+  std::string text = fmt::format("{:.2f} % of {} places rejected",
+                                 100.0 * rejected() / std::max(drawn, std::int64_t{1}), drawn);
+  const char* separator = ": ";
+  for (int i = 1; i < place_fault_count; ++i) {
+    if (faults[i] == 0) continue;
+    text += fmt::format("{}{} {}", separator, faults[i], to_string(static_cast<PlaceFault>(i)));
+    separator = ", ";
+  }
+  return text;
+}
+
+DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, const Recipe& recipe,
                       Stream stream) {
   std::vector<int> lanes;
   double total_length_m = 0;
@@ -84,6 +130,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part 
       total_length_m += scene.usable[lane].length_m();
     }
   }
+  PlaceTally tally;
   for (int attempt = 0; attempt < max_attempts && total_length_m > 0; ++attempt) {
     const Stream draw = substream(stream, attempt);
     double distance_m = random_uniform(draw, along, 0, total_length_m);
@@ -91,21 +138,23 @@ DrawnPlace draw_place(const DrivableScene& scene, const RigCamera& camera, Part 
     while (chosen + 1 < lanes.size() && distance_m > scene.usable[lanes[chosen]].length_m())
       distance_m -= scene.usable[lanes[chosen++]].length_m();
     const Lane& lane = scene.lanes[lanes[chosen]];
-    DrawnPlace drawn{.street = lane.street, .place = {}, .camera = camera, .attempts = attempt + 1};
-    drawn.place = place_on_lane(lane, scene.usable[lanes[chosen]].from_m + distance_m,
-                                recipe.lateral_m * random_normal(draw, lateral),
-                                radians(recipe.heading_deg) * random_normal(draw, heading));
-    drawn.camera.yaw_deg += recipe.mount_error_deg * random_normal(draw, yaw);
-    drawn.camera.pitch_deg += recipe.mount_error_deg * random_normal(draw, pitch);
-    drawn.camera.roll_deg += recipe.mount_error_deg * random_normal(draw, roll);
-    const Eigen::Isometry3d world_from_camera =
-        world_from_vehicle(drawn.place) * vehicle_from_camera(drawn.camera);
-    const Eigen::Vector3d forward = world_from_camera.linear().col(2);
-    if (is_clear(scene.clearance, world_from_camera.translation(), forward, recipe.clearance_m)) return drawn;
+    DrawnPlace drawn{.street = lane.street, .place = {}, .cameras = {}, .tally = {}};
+    drawn.place =
+        on_wheels(scene.rays, place_on_lane(lane, scene.usable[lanes[chosen]].from_m + distance_m,
+                                            recipe.lateral_m * random_normal(draw, lateral),
+                                            radians(recipe.heading_deg) * random_normal(draw, heading)));
+    for (std::size_t c = 0; c < rig.cameras.size(); ++c)
+      drawn.cameras.push_back(
+          with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)));
+    const PlaceFault fault = rig_fault(scene.rays, drawn, recipe);
+    ++tally.drawn;
+    ++tally.faults[static_cast<int>(fault)];
+    drawn.tally = tally;
+    if (fault == PlaceFault::none) return drawn;
   }
-  throw std::runtime_error("no clear place for part " + to_string(part) + " in " +
-                           std::to_string(max_attempts) +
-                           " attempts; lower clearance_m or use a scene with longer lanes");
+  throw std::runtime_error(
+      fmt::format("no place for part {}: {}; lower clearance_m, or use a scene with longer lanes",
+                  to_string(part), tally.brief()));
 }
 
 }  // namespace cps

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sampler/lens_groups.h"
-#include "sampler/place_draw.h"
 #include "sampler/splits.h"
 
 namespace cps {
@@ -49,23 +48,29 @@ void plan_views_of_set(Plan& plan, int set) {
   const std::vector<double> equal_weights(recipe.views, 1.0);
   const std::vector<Part> parts =
       deal_parts(equal_weights, recipe.train_share, recipe.val_share, make_stream(set_stream.key, "part"));
-  SetGroups groups(plan, set);
+  std::vector<SetGroups> groups_of_camera;
+  for (int camera = 0; camera < static_cast<int>(plan.rig.cameras.size()); ++camera)
+    groups_of_camera.emplace_back(plan, set, camera);
   int rank_in_part[3] = {0, 0, 0};
   for (int index = 0; index < recipe.views; ++index) {
     const Part part = parts[index];
-    const SetGroups::Block& block = groups.block_of(part, rank_in_part[static_cast<int>(part)]++);
-    plan.views.push_back(
-        {.set = set,
-         .index = index,
-         .condition = static_cast<int>(static_cast<std::int64_t>(index) *
-                                       static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
-         .part = part,
-         .street = {},
-         .place = {},
-         .camera = plan.camera,
-         .seed = random_bits(set_stream, index),
-         .master = block.master,
-         .groups = block.groups});
+    const int rank = rank_in_part[static_cast<int>(part)]++;
+    for (int camera = 0; camera < static_cast<int>(plan.rig.cameras.size()); ++camera) {
+      const SetGroups::Block& block = groups_of_camera[camera].block_of(part, rank);
+      plan.views.push_back(
+          {.set = set,
+           .index = index,
+           .rig_camera = camera,
+           .condition = static_cast<int>(static_cast<std::int64_t>(index) *
+                                         static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
+           .part = part,
+           .street = {},
+           .place = {},
+           .camera = plan.rig.cameras[camera],
+           .seed = random_bits(substream(set_stream, camera), index),
+           .master = block.master,
+           .groups = block.groups});
+    }
   }
 }
 
@@ -79,15 +84,16 @@ void plan_places(Plan& plan, const std::function<Scene(const std::filesystem::pa
     plan.scenes[s].credits = whole.credits;
     const DrivableScene scene = drivable_scene(whole, plan.scenes[s].file.string(), plan.recipe,
                                                substream(make_stream(plan.recipe.seed, "streets"), s));
+    DrawnPlace drawn;
     for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
       PlannedView& view = plan.views[v];
-      const DrawnPlace drawn =
-          draw_place(scene, plan.camera, view.part, plan.recipe, make_stream(view.seed, "place"));
+      if (view.rig_camera == 0) {
+        drawn = draw_place(scene, plan.rig, view.part, plan.recipe, make_stream(view.seed, "place"));
+        plan.places.add(drawn.tally);
+      }
       view.street = drawn.street;
       view.place = drawn.place;
-      view.camera = drawn.camera;
-      plan.drawn_places += drawn.attempts;
-      plan.rejected_places += drawn.attempts - 1;
+      view.camera = drawn.cameras[view.rig_camera];
     }
   }
 }
@@ -104,12 +110,11 @@ std::string image_name(const PlannedView& view) {
   return fmt::format("{:06}.png", view.index);
 }
 
-Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
+Plan make_plan(const Recipe& recipe, const Rig& rig, const std::vector<std::filesystem::path>& scene_files,
                const std::function<Scene(const std::filesystem::path&)>& load) {
   Plan plan;
   plan.recipe = recipe;
-  plan.camera.name = "front";
-  plan.camera.position_m = {recipe.camera_forward_m, 0, recipe.camera_height_m};
+  plan.rig = rig;
   for (const std::filesystem::path& file : scene_files) plan.scenes.push_back({.file = file, .credits = {}});
   plan.conditions = plan_conditions(recipe, static_cast<int>(scene_files.size()));
   plan.sets = plan_sets(recipe);

@@ -7,6 +7,7 @@
 
 #include "sampler/lens_draw.h"
 #include "sampler/part.h"
+#include "sampler/place_draw.h"
 #include "sampler/recipe.h"
 #include "scenes/daylight.h"
 #include "scenes/rig.h"
@@ -37,15 +38,18 @@ struct PlannedSet {
 struct PlannedGroup {
   std::string folder;  ///< <set folder>/front_lens0003
   int set = 0;
-  int lens_number = 0;  ///< unique in the dataset, but 0, the undistorted lens, is in every set
+  int camera = 0;       ///< index into Plan::rig
+  int lens_number = 0;  ///< unique in the dataset, but 0, the undistorted lens, is in every set and camera
   Part part = Part::all;
   DrawnLens lens;
 };
 
-/// One render and the groups that see it through their lenses.
+/// One render and the groups that see it through their lenses. Views of one set and index are one place, seen
+/// by the rig's cameras.
 struct PlannedView {
   int set = 0;
-  int index = 0;  ///< within the set; the images' file name
+  int index = 0;       ///< of the place within the set; the images' file name
+  int rig_camera = 0;  ///< index into Plan::rig
   int condition = 0;
   Part part = Part::train;
   std::string street;
@@ -58,14 +62,14 @@ struct PlannedView {
 
 struct Plan {
   Recipe recipe;
-  RigCamera camera;  ///< as meant, without mount errors
+  Rig rig;  ///< as meant, without mount errors
   std::vector<PlannedScene> scenes;
   std::vector<PlannedCondition> conditions;
   std::vector<PlannedSet> sets;
   std::vector<PlannedGroup> groups;
-  std::vector<PlannedView> views;  ///< by condition, then set, then index
+  std::vector<PlannedView> views;  ///< by condition, then set, then index, then camera
   int distorted_lenses = 0;
-  std::int64_t rejected_places = 0, drawn_places = 0;
+  PlaceTally places;
 };
 
 /// Number of images the plan makes.
@@ -74,9 +78,10 @@ std::int64_t image_count(const Plan& plan);
 /// `000017.png`
 std::string image_name(const PlannedView& view);
 
-/// Expands a valid recipe. `scene_files` are its scenes and cities as files; `load` imports one (one is held
-/// at a time). Throws std::runtime_error when a scene has too few streets for three parts or no clear places.
-Plan make_plan(const Recipe& recipe, const std::vector<std::filesystem::path>& scene_files,
+/// Expands a valid recipe for the cars' rig. `scene_files` are its scenes and cities as files; `load` imports
+/// one (one is held at a time). Throws std::runtime_error when a scene has too few streets for three parts or
+/// no clear places.
+Plan make_plan(const Recipe& recipe, const Rig& rig, const std::vector<std::filesystem::path>& scene_files,
                const std::function<Scene(const std::filesystem::path&)>& load);
 
 }  // namespace cps

@@ -30,14 +30,17 @@ struct Recipe {
   std::vector<ImageSize> sizes;
   std::vector<double> base_hfov_deg;
   std::vector<double> hfov_deg;
-  int views = 0;  ///< per set
+  int views = 0;  ///< places per set, each seen by every camera of the rig
 
   // The car.
-  double camera_height_m = 1.65, camera_forward_m = 1.68;
-  double mount_error_deg = 1.0;  ///< standard deviation of the drawn yaw, pitch and roll
+  std::string rig;               ///< a rig file; none: one camera, front
+  double mount_error_deg = 1.0;  ///< standard deviation of each camera's drawn yaw, pitch and roll
+  double mount_error_m = 0.01;   ///< standard deviation of its position along each axis
   double lateral_m = 0.25;       ///< standard deviation of the car's offset from the lane's centre line
   double heading_deg = 3.0;      ///< standard deviation of the car's heading off the lane's direction
-  double clearance_m = 2.5;      ///< a place with less free way in front of the camera is drawn again
+  /// A place with less free way in front of a camera is drawn again; cameras that look more than 60° off the
+  /// driving direction need less, as parked cars and walls stand beside a lane.
+  double clearance_m = 2.5, side_clearance_m = 0.8;
 
   // Lenses. Each part of the split has its own.
   int lenses = 0;          ///< distorted images per view

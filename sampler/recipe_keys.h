@@ -24,14 +24,15 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
   visit("hfov_deg", r.hfov_deg,
         "instead: H-FOVs of the images, after the crop; each lens gets the base that leads there");
-  visit("views", r.views, "views per size and H-FOV");
+  visit("views", r.views, "views per size, H-FOV and camera: so many places");
 
-  visit("camera_height_m", r.camera_height_m, "camera above the road");
-  visit("camera_forward_m", r.camera_forward_m, "camera ahead of the rear axle");
-  visit("mount_error_deg", r.mount_error_deg, "standard deviation of the camera's yaw, pitch and roll");
+  visit("rig", r.rig, "rig file, as named or beside the recipe; none: one camera, 1.65 m high");
+  visit("mount_error_deg", r.mount_error_deg, "standard deviation of each camera's yaw, pitch and roll");
+  visit("mount_error_m", r.mount_error_m, "standard deviation of each camera's position along each axis");
   visit("lateral_m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");
   visit("heading_deg", r.heading_deg, "standard deviation of the car's heading off its lane's");
-  visit("clearance_m", r.clearance_m, "free way a place must have in front of the camera");
+  visit("clearance_m", r.clearance_m, "free way a place must have in front of a camera");
+  visit("side_clearance_m", r.side_clearance_m, "the same for cameras more than 60 degrees off ahead");
 
   visit("lenses", r.lenses, "distorted images per view, besides the undistorted one");
   visit("views_per_lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");

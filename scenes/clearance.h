@@ -1,28 +1,27 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
+#include <string>
 
-#include "scenes/scene.h"
+#include "scenes/scene_rays.h"
 
 namespace cps {
 
-/// Ray queries against a scene's geometry (masked leaves count as solid), built once and asked from any
-/// thread.
-struct ClearanceQuery {
-  explicit ClearanceQuery(const Scene& scene);
-  ~ClearanceQuery();
-  ClearanceQuery(ClearanceQuery&&) noexcept;
-
-  struct Geometry;
-  std::unique_ptr<Geometry> geometry;
+/// Why a camera cannot stand somewhere.
+enum class PlaceFault {
+  none,
+  inside,     ///< a third of all directions around it show the back of a single-sided surface: it is inside
+              ///< something or below the ground
+  too_close,  ///< something, the ground apart, stands within 45° of its axis and nearer than allowed
+  only_sky,   ///< less than a quarter of what lies within 45° of its axis is anything but sky
 };
+inline constexpr int place_fault_count = 4;
 
-/// Whether a camera at `position` (world) may look along `forward` (any length but 0). It may not when a
-/// third of all directions around it show the back of a single-sided surface (it is inside something or below
-/// the ground), or when something nearer than `min_distance_m`, the ground apart, stands within 45° of
-/// `forward`.
-bool is_clear(const ClearanceQuery& query, const Eigen::Vector3d& position, const Eigen::Vector3d& forward,
-              double min_distance_m);
+/// The words under which they are counted.
+std::string to_string(PlaceFault fault);
+
+/// What is wrong with a camera at `position` (world) that looks along `forward` (any length but 0), nothing
+/// nearer than `min_distance_m` before it: the first of the faults that holds, or none.
+PlaceFault place_fault(const SceneRays& rays, const Eigen::Vector3d& position, const Eigen::Vector3d& forward,
+                       double min_distance_m);
 
 }  // namespace cps

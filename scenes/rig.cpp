@@ -32,6 +32,18 @@ bool RigCamera::is_valid(std::string* why) const {
   return true;
 }
 
+bool Rig::is_valid(std::string* why) const {
+  if (cameras.empty()) return refuse(why, "has no camera");
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    std::string fault;
+    if (!cameras[i].is_valid(&fault)) return refuse(why, cameras[i].name + ": " + fault);
+    for (std::size_t j = 0; j < i; ++j)
+      if (cameras[j].name == cameras[i].name)
+        return refuse(why, cameras[i].name + ": is the name of two cameras");
+  }
+  return true;
+}
+
 Eigen::Isometry3d vehicle_from_camera(const RigCamera& camera) {
   Eigen::Matrix3d straight_ahead;  // columns: where the camera's x (right), y (down) and z (forward) point
   straight_ahead << 0, 0, 1,       //
@@ -50,7 +62,9 @@ Eigen::Isometry3d world_from_vehicle(const Place& place) {
       0, 0, 1,                   //
       0, -1, 0;
   return Eigen::Translation3d(place.position) *
-         Eigen::AngleAxisd(place.heading_rad, Eigen::Vector3d::UnitY()) * Eigen::Isometry3d(heading_east);
+         Eigen::AngleAxisd(place.heading_rad, Eigen::Vector3d::UnitY()) * Eigen::Isometry3d(heading_east) *
+         Eigen::AngleAxisd(place.pitch_rad, -Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(place.roll_rad, Eigen::Vector3d::UnitX());
 }
 
 }  // namespace cps

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 namespace cps {
 
@@ -11,6 +12,8 @@ namespace cps {
 struct Place {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double heading_rad = 0;
+  double pitch_rad = 0;  ///< nose up positive
+  double roll_rad = 0;   ///< clockwise as the driver sees it: the right side goes down
 };
 
 /// A camera bolted to the car: its position in the vehicle frame and how it is turned from looking straight
@@ -20,6 +23,13 @@ struct RigCamera {
   Eigen::Vector3d position_m = {1.68, 0.0, 1.65};
   double yaw_deg = 0, pitch_deg = 0,
          roll_deg = 0;  ///< left, up and clockwise positive (about z, −y, x; applied in this order)
+  bool is_valid(std::string* why) const;
+};
+
+/// The cameras of one car. They see every place together.
+struct Rig {
+  std::vector<RigCamera> cameras = {RigCamera{}};
+  /// Whether there are cameras, each valid, no two of one name.
   bool is_valid(std::string* why) const;
 };
 

@@ -45,6 +45,7 @@ Place place_on_lane(const Lane& lane, double distance_m, double lateral_m, doubl
   const double heading = std::atan2(-along.z(), along.x());  // anticlockwise about +y from +x: towards −z
   place.position += lateral_m * Eigen::Vector3d(-std::sin(heading), 0, -std::cos(heading));
   place.heading_rad = heading + yaw_offset_rad;
+  place.pitch_rad = std::atan2(along.y(), std::hypot(along.x(), along.z()));
   return place;
 }
 

@@ -23,7 +23,8 @@ double length_m(const Lane& lane);
 
 /// A place `distance_m` along the lane (arc length from its first point, held within the lane), `lateral_m`
 /// to the left of its centre line at the same height, heading along the lane turned by `yaw_offset_rad` to
-/// the left. The lane has at least two points that do not repeat, as the importer makes sure.
+/// the left, its nose up as the lane climbs. The lane has at least two points that do not repeat, as the
+/// importer makes sure.
 Place place_on_lane(const Lane& lane, double distance_m, double lateral_m, double yaw_offset_rad);
 
 }  // namespace cps

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "cps_program.h"
@@ -111,6 +112,41 @@ TEST_CASE("label-first, the images have the H-FOV asked for and their bases diff
   const ProgramRun verified = run_cps("verify " + out.string());
   INFO(verified.output);
   CHECK(verified.exit_status == 0);
+}
+
+TEST_CASE("a rig's cameras have folders, labels and lenses of their own and share their places") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  const ProgramRun made = run_cps("generate --scene " + scene.string() +
+                                  " --size 80x45 --base_hfov_deg 70 --views 3 --lenses 1 --samples 2 --rig " +
+                                  CPS_RECIPES + "/kitti.rig --out " + out.string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  CHECK_THAT(made.output, Catch::Contains("12 views, 16 groups, 24 images; ") && Catch::Contains("% of ") &&
+                              Catch::Contains("places rejected"));
+  const nlohmann::json label = read_json(out / "80x45_hfov070/cam1_lens0000/calibration.json");
+  CHECK(label["camera"]["name"] == "cam1");
+  CHECK(label["camera"]["T_vehicle_camera"][1][3].get<double>() == Approx(-0.5371));
+  const nlohmann::json description = read_json(out / "dataset.json");
+  CHECK(description["rig"].size() == 4);
+  CHECK(description["rig"][1]["T_vehicle_camera"] == label["camera"]["T_vehicle_camera"]);
+  CHECK(description["places"]["rejected_for"].contains("too_close"));
+  const auto vehicle_of =
+      [&](const std::string& camera) {  // file, part, condition, street and pose, a line each
+        std::istringstream lines(read_file(out / "80x45_hfov070" / (camera + "_lens0000") / "frames.csv"));
+        std::string vehicles;
+        for (std::string line; std::getline(lines, line);) {
+          std::size_t end = 0;
+          for (int field = 0; field < 10; ++field) end = line.find(',', end) + 1;
+          vehicles += line.substr(0, end) + "\n";
+        }
+        return vehicles;
+      };
+  CHECK(vehicle_of("cam0") == vehicle_of("cam3"));
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+  check_refused(generate_arguments(scene, folder / "none") + " --rig none.rig", 1, "rig = none.rig");
 }
 
 TEST_CASE("one thread and two make the same bytes") {

@@ -23,7 +23,7 @@ Recipe small_recipe() {
 }
 
 Plan plan_of(const Recipe& recipe) {
-  return make_plan(recipe, {recipe.scenes.begin(), recipe.scenes.end()},
+  return make_plan(recipe, Rig{}, {recipe.scenes.begin(), recipe.scenes.end()},
                    [](const std::filesystem::path&) { return plain_scene(8); });
 }
 
@@ -125,6 +125,40 @@ TEST_CASE("places lie on their street, near the lane, facing along it") {
   }
 }
 
+TEST_CASE("all cameras of a rig see one place, each through lenses of its own") {
+  const Rig rig{.cameras = {{.name = "left", .position_m = {1, 0.5, 1.5}, .yaw_deg = 20},
+                            {.name = "right", .position_m = {1, -0.5, 1.5}}}};
+  const Recipe recipe = small_recipe();
+  const Plan plan = make_plan(recipe, rig, {"plain.glb", "plain2.glb"},
+                              [](const std::filesystem::path&) { return plain_scene(8); });
+  CHECK(plan.views.size() == 2 * 4 * 21);
+  std::set<std::string> folders;
+  for (std::size_t v = 0; v < plan.views.size(); v += 2) {
+    const PlannedView &left = plan.views[v], &right = plan.views[v + 1];
+    CHECK(std::pair(left.set, left.index) == std::pair(right.set, right.index));
+    CHECK(left.place.position == right.place.position);
+    CHECK(left.part == right.part);
+    CHECK(left.seed != right.seed);
+    CHECK(left.camera.name == "left");
+    CHECK(right.camera.name == "right");
+    CHECK(left.camera.yaw_deg - 20 != right.camera.yaw_deg);  // each has a mount error of its own
+    CHECK(std::abs(left.camera.yaw_deg - 20) < 6 * recipe.mount_error_deg);
+    const double off_m = (right.camera.position_m - rig.cameras[1].position_m).norm();
+    CHECK(off_m > 0);
+    CHECK(off_m < 8 * recipe.mount_error_m);
+    for (std::size_t g = 0; g < left.groups.size(); ++g) {
+      const PlannedGroup &of_left = plan.groups[left.groups[g]], &of_right = plan.groups[right.groups[g]];
+      CHECK(of_left.camera == 0);
+      CHECK(of_right.camera == 1);
+      CHECK((of_left.lens_number == of_right.lens_number) == (of_left.lens_number == 0));
+    }
+  }
+  for (const PlannedGroup& group : plan.groups) CHECK(folders.insert(group.folder).second);
+  CHECK(folders.contains("96x54_hfov060/left_lens0000"));
+  CHECK(folders.contains("96x54_hfov060/right_lens0000"));
+  CHECK(plan.places.drawn - plan.places.rejected() == 4 * 21);
+}
+
 TEST_CASE("a plan is the same every time and follows its seed") {
   const Plan a = plan_of(small_recipe()), b = plan_of(small_recipe());
   REQUIRE(a.views.size() == b.views.size());
@@ -142,7 +176,7 @@ TEST_CASE("a plan is the same every time and follows its seed") {
 TEST_CASE("scenes that cannot carry a plan are refused by name") {
   const Recipe recipe = small_recipe();
   const auto plan_on = [&](int streets) {
-    return make_plan(recipe, {"plain.glb"},
+    return make_plan(recipe, Rig{}, {"plain.glb"},
                      [&](const std::filesystem::path&) { return plain_scene(streets); });
   };
   CHECK_THROWS_WITH(plan_on(0), Catch::Contains("plain.glb") && Catch::Contains("lanes"));

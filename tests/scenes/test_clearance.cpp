@@ -35,24 +35,31 @@ const Vector3d east(1, 0, 0), west(-1, 0, 0);
 }  // namespace
 
 TEST_CASE("a place is clear unless something stands close ahead") {
-  const ClearanceQuery query(house_on_the_ground());
-  CHECK(is_clear(query, {0, 1.65, 0}, east, 5));
-  CHECK(is_clear(query, {9.9, 1.65, 0}, east, 5));
-  CHECK_FALSE(is_clear(query, {10.3, 1.65, 0}, east, 5));
-  CHECK(is_clear(query, {10.3, 1.65, 0}, west, 5));  // it is behind
-  CHECK(is_clear(query, {10.3, 1.65, 0}, 7 * east, 4));
+  const SceneRays query(house_on_the_ground());
+  CHECK(place_fault(query, {0, 1.65, 0}, east, 5) == PlaceFault::none);
+  CHECK(place_fault(query, {9.9, 1.65, 0}, east, 5) == PlaceFault::none);
+  CHECK(place_fault(query, {10.3, 1.65, 0}, east, 5) == PlaceFault::too_close);
+  CHECK(place_fault(query, {10.3, 1.65, 0}, west, 5) == PlaceFault::none);  // it is behind
+  CHECK(place_fault(query, {10.3, 1.65, 0}, 7 * east, 4) == PlaceFault::none);
 }
 
 TEST_CASE("a place inside something or below the ground is not clear") {
   const float mirror = GENERATE(1.0f, -1.0f);  // mirrored instances keep their fronts
-  const ClearanceQuery query(house_on_the_ground(mirror));
-  CHECK(is_clear(query, {0, 1.65, 0}, east, 0));
-  CHECK_FALSE(is_clear(query, {20, 5, 0}, east, 0));
-  CHECK_FALSE(is_clear(query, {0, -0.5, 0}, east, 0));
+  const SceneRays query(house_on_the_ground(mirror));
+  CHECK(place_fault(query, {0, 1.65, 0}, east, 0) == PlaceFault::none);
+  CHECK(place_fault(query, {20, 5, 0}, east, 0) == PlaceFault::inside);
+  CHECK(place_fault(query, {0, -0.5, 0}, east, 0) == PlaceFault::inside);
 }
 
 TEST_CASE("double-sided leaves around the camera do not mean inside") {
   Scene scene = house_on_the_ground();
   scene.materials[0].double_sided = true;
-  CHECK(is_clear(ClearanceQuery(scene), {20, 5, 0}, east, 1));
+  CHECK(place_fault(SceneRays(scene), {20, 5, 0}, east, 1) == PlaceFault::none);
+}
+
+TEST_CASE("a camera that sees nothing but sky has no place") {
+  const SceneRays rays(house_on_the_ground());
+  CHECK(place_fault(rays, {0, 1.65, 0}, {0, 1, 0}, 1) == PlaceFault::only_sky);
+  CHECK(place_fault(rays, {0, 1.65, 0}, {-1, 1.2, 0}, 1) == PlaceFault::only_sky);
+  CHECK(place_fault(rays, {0, 1.65, 0}, {-1, 0.1, 0}, 1) == PlaceFault::none);  // open ground is a view
 }

@@ -65,6 +65,27 @@ TEST_CASE("heading grows to the left") {
   CHECK(close(north.linear().col(2), {0, 1, 0}));
 }
 
+TEST_CASE("a car that climbs looks up, one that leans right lowers its right side") {
+  const double up = 0.1, half_turn = std::numbers::pi / 2;
+  const Isometry3d climbing = world_from_vehicle({.heading_rad = half_turn, .pitch_rad = up});
+  CHECK(close(climbing.linear().col(0), {0, std::sin(up), -std::cos(up)}));
+  CHECK(close(climbing.linear().col(1), {-1, 0, 0}));
+  const Isometry3d leaning = world_from_vehicle({.roll_rad = up});
+  CHECK(close(leaning.linear().col(0), Vector3d::UnitX()));
+  CHECK(close(-leaning.linear().col(1), {0, -std::sin(up), std::cos(up)}));  // right is world +z, and down
+}
+
+TEST_CASE("a rig has cameras of different names") {
+  std::string why;
+  CHECK(cps::Rig{}.is_valid(&why));
+  CHECK_FALSE(cps::Rig{.cameras = {}}.is_valid(&why));
+  CHECK(why == "has no camera");
+  CHECK_FALSE(cps::Rig{.cameras = {{.name = "a"}, {.name = "b"}, {.name = "a"}}}.is_valid(&why));
+  CHECK(why == "a: is the name of two cameras");
+  CHECK_FALSE(cps::Rig{.cameras = {{.name = "a", .pitch_deg = 91}}}.is_valid(&why));
+  CHECK(why == "a: pitch_deg must be within -90 and 90");
+}
+
 TEST_CASE("a camera that cannot be is named") {
   std::string why;
   CHECK(RigCamera{}.is_valid(&why));

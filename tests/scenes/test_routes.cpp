@@ -34,6 +34,8 @@ TEST_CASE("a place on a lane: arc length, tangent heading, left offset") {
   const Place north = place_on_lane(lane, 3 + 2.5, -1, 0);
   CHECK(north.position.isApprox(Vector3d(4, 1.5, -2)));  // right of north is east
   CHECK(north.heading_rad == Approx(pi / 2));
+  CHECK(north.pitch_rad == Approx(std::atan2(3, 4)));
+  CHECK(east.pitch_rad == 0);
 
   CHECK(place_on_lane(lane, -5, 0, 0).position.norm() == 0);
   CHECK(place_on_lane(lane, 99, 0, 0).position.isApprox(Vector3d(3, 3, -4)));

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/rig.h"
+
+namespace cps {
+
+/// Reads a rig file: a section per camera, `[name]`, and in it `key = value` lines for its pose in vehicle
+/// axes (docs/formats.md). Throws std::runtime_error in one line: file, camera and key, fix.
+Rig read_rig(const std::filesystem::path& file);
+
+/// The rig that a recipe's `rig` key names: the file as it stands there, else beside the recipe; none named:
+/// one camera called front. Throws as read_rig does.
+Rig find_rig(const std::string& named, const std::filesystem::path& recipe_folder);
+
+/// The rig as a file that reads back to the same rig.
+std::string to_text(const Rig& rig);
+
+}  // namespace cps
