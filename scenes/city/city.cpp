@@ -34,14 +34,14 @@ bool CityOptions::is_valid(std::string* why) const {
 
 std::string CitySummary::brief() const {
   char text[512];
-  std::snprintf(
-      text, sizeof text,
-      "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu pieces of "
-      "street furniture\n"
-      "%zu lanes, %.1f km in all\n"
-      "%.2f M triangles (%.2f M with instances), %.1f MB",
-      to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, furniture, lanes, lane_km,
-      triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
+  std::snprintf(text, sizeof text,
+                "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu people, "
+                "%zu pieces of "
+                "street furniture\n"
+                "%zu lanes, %.1f km in all\n"
+                "%.2f M triangles (%.2f M with instances), %.1f MB",
+                to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, people,
+                furniture, lanes, lane_km, triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
   return text;
 }
 
@@ -96,6 +96,9 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummar
         break;
       case ModelKind::car:
         ++summary.cars;
+        break;
+      case ModelKind::person:
+        ++summary.people;
         break;
       case ModelKind::house:
         ++summary.buildings;

@@ -22,7 +22,8 @@ struct CityOptions {
 
 struct CitySummary {
   CityStyle style = CityStyle::european;
-  std::size_t streets = 0, junctions = 0, blocks = 0, buildings = 0, trees = 0, cars = 0, furniture = 0;
+  std::size_t streets = 0, junctions = 0, blocks = 0, buildings = 0, trees = 0, cars = 0, people = 0,
+              furniture = 0;
   std::size_t lanes = 0;
   double lane_km = 0;
   std::size_t triangles = 0;            ///< stored, each shared mesh once

@@ -34,8 +34,10 @@ void check_primitive(const tinygltf::Model& model, const tinygltf::Primitive& pr
   for (std::size_t i = 0; i < positions.count * 3; ++i)
     if (!(p[i] >= positions.minValues[i % 3] && p[i] <= positions.maxValues[i % 3]))
       FAIL_CHECK("position outside min/max");
-  const float* n = data_of<float>(model, primitive.attributes.at("NORMAL"));
-  for (std::size_t i = 0; i < positions.count; ++i)
+  const auto normals = primitive.attributes.find("NORMAL");  // flat surfaces have none
+  const bool is_flat = normals == primitive.attributes.end();
+  const float* n = is_flat ? nullptr : data_of<float>(model, normals->second);
+  for (std::size_t i = 0; i < positions.count && !is_flat; ++i)
     if (std::abs(std::hypot(n[3 * i], n[3 * i + 1], n[3 * i + 2]) - 1) > 1e-4)
       FAIL_CHECK("normal is not a unit vector");
   if (const auto uv = primitive.attributes.find("TEXCOORD_0"); uv != primitive.attributes.end()) {

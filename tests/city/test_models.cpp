@@ -5,6 +5,8 @@
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/roadside/boundary.h"
 #include "scenes/city/roadside/goods.h"
+#include "scenes/city/roadside/lorry.h"
+#include "scenes/city/roadside/person.h"
 #include "scenes/city/roadside/street_furniture.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
@@ -65,6 +67,9 @@ Materials any_materials() {
   m.sheet = {{15, 2}};
   m.gate = {16};
   m.container_paint = {17, 18};
+  m.cloth = {19, 20};
+  m.skin = {21};
+  m.hair = {22};
   m.stone = {5, 3};
   m.glass = 6;
   m.shop_sign = std::vector<MaterialId>(6, 7);
@@ -162,6 +167,23 @@ TEST_CASE("towers, halls and garages have real heights and no face inside out") 
       CHECK(box.high.y() < (is_garage ? 6.0 : 32.0));
     }
   }
+}
+
+TEST_CASE("people and lorries have real sizes and stand on the ground") {
+  const Materials m = any_materials();
+  for (int i = 0; i < 20; ++i) {
+    const Mesh walker = person(m, substream(make_stream(9, "person"), i));
+    check_sane(walker, -0.05);
+    CHECK(bounds(walker).low.y() > -0.03f);
+    CHECK(bounds(walker).high.y() > 1.5f);
+    CHECK(bounds(walker).high.y() < 1.95f);
+  }
+  const Mesh vehicle = lorry(m, 17);
+  check_sane(vehicle, -0.05);
+  CHECK(bounds(vehicle).low.y() == Approx(0).margin(0.01));
+  CHECK(bounds(vehicle).high.y() == Approx(lorry_height_m).margin(0.01));
+  CHECK(bounds(vehicle).high.x() - bounds(vehicle).low.x() == Approx(lorry_length_m).margin(0.05));
+  CHECK(bounds(vehicle).high.z() < lorry_width_m / 2 + 0.14);  // with its mirrors
 }
 
 TEST_CASE("fences and goods have real sizes and stand on the ground") {

@@ -44,7 +44,15 @@ TEST_CASE("green in a normal map points up the image") {
 
 TEST_CASE("roads are painted sharply enough and leaves are cut out") {
   const TextureSet asphalt = asphalt_texture(make_stream(3, "asphalt"));
-  CHECK(asphalt.base_color.width / asphalt_tile_m >= 150);
+  CHECK(asphalt.base_color.width / asphalt_tile_m >= 250);
+  const auto texels_per_m = [](const TextureSet& set, double tile_m) {
+    return set.base_color.width / tile_m;
+  };
+  CHECK(texels_per_m(paving_texture(make_stream(3, "paving")), paving_tile_m) >= 250);
+  CHECK(texels_per_m(plaster_texture(make_stream(3, "plaster")), plaster_tile_m) >= 250);
+  CHECK(texels_per_m(concrete_texture(make_stream(3, "concrete")), concrete_tile_m) >= 250);
+  CHECK(texels_per_m(sheet_texture(make_stream(3, "sheet")), sheet_tile_m) >= 250);
+  CHECK(texels_per_m(grass_texture(make_stream(3, "grass")), grass_tile_m) >= 250);
   double mean = 0;
   for (std::uint8_t p : asphalt.base_color.pixels) mean += p;
   mean /= static_cast<double>(asphalt.base_color.pixels.size());

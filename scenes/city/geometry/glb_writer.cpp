@@ -35,6 +35,18 @@ double rounded(double x) {
   return std::round(x * 1e4) / 1e4;
 }
 
+/// Whether every normal is its triangle's own: then the format lets it be left out (3.7.2.1), and readers
+/// make it anew.
+bool is_flat(const Surface& surface) {
+  for (std::size_t t = 0; t < surface.indices.size(); t += 3) {
+    const auto p = [&](int k) { return surface.positions[surface.indices[t + k]]; };
+    const Eigen::Vector3f face = (p(1) - p(0)).cross(p(2) - p(0));
+    for (int k = 0; k < 3; ++k)
+      if (face.dot(surface.normals[surface.indices[t + k]]) < 0.9999f * face.norm()) return false;
+  }
+  return true;
+}
+
 template <typename T>
 void append(std::vector<std::uint8_t>& bytes, const T& value) {
   const auto* p = reinterpret_cast<const std::uint8_t*>(&value);
@@ -114,7 +126,8 @@ int GlbWriter::add_mesh(const Mesh& mesh) {
                                    {"type", "VEC3"},
                                    {"min", {low.x(), low.y(), low.z()}},
                                    {"max", {high.x(), high.y(), high.z()}}});
-    attributes["NORMAL"] = pack(vectors, surface.normals, {{"componentType", float_32}, {"type", "VEC3"}});
+    if (!is_flat(surface))
+      attributes["NORMAL"] = pack(vectors, surface.normals, {{"componentType", float_32}, {"type", "VEC3"}});
     if (materials[material]["pbrMetallicRoughness"].contains("baseColorTexture"))
       attributes["TEXCOORD_0"] =
           pack(coordinates, surface.uvs, {{"componentType", float_32}, {"type", "VEC2"}});

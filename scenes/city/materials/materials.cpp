@@ -178,6 +178,27 @@ void add_vehicles_and_furniture(GlbWriter& writer, Materials& m) {
   m.wood = writer.add_material(plain("wood", {0.22, 0.13, 0.07}, 0.7));
 }
 
+void add_people(GlbWriter& writer, Materials& m) {
+  const auto add = [&](std::vector<MaterialId>& kind, const std::string& name,
+                       const std::vector<Color>& colors, double roughness) {
+    for (const Color& color : colors)
+      kind.push_back(writer.add_material(plain(name + "_" + std::to_string(kind.size()), color, roughness)));
+  };
+  add(m.cloth, "cloth",
+      {{0.02, 0.025, 0.05},
+       {0.03, 0.03, 0.03},
+       {0.25, 0.04, 0.04},
+       {0.12, 0.12, 0.13},
+       {0.40, 0.36, 0.28},
+       {0.05, 0.13, 0.08},
+       {0.06, 0.12, 0.30},
+       {0.55, 0.54, 0.52}},
+      0.95);
+  add(m.skin, "skin", {{0.50, 0.30, 0.22}, {0.32, 0.18, 0.12}, {0.14, 0.07, 0.045}}, 0.6);
+  add(m.hair, "hair", {{0.02, 0.015, 0.012}, {0.10, 0.055, 0.025}, {0.30, 0.20, 0.10}, {0.32, 0.32, 0.32}},
+      0.7);
+}
+
 }  // namespace
 
 Materials make_materials(GlbWriter& writer, std::uint64_t seed) {
@@ -188,6 +209,7 @@ Materials make_materials(GlbWriter& writer, std::uint64_t seed) {
   add_openings(writer, m, seed);
   add_plants(writer, m, seed);
   add_vehicles_and_furniture(writer, m);
+  add_people(writer, m);
   return m;
 }
 

@@ -20,6 +20,7 @@ struct Materials {
   std::vector<WallMaterial> sheet;         ///< ribbed metal; ribs run up the image
   std::vector<MaterialId> gate, container_paint;
   MaterialId fence_wire;
+  std::vector<MaterialId> cloth, skin, hair;
   WallMaterial stone;  ///< plinths, cornices
   MaterialId trim;     ///< sills and window surrounds
   MaterialId glass, curtained_glass, shutter, frame_white, frame_dark, door_wood, door_dark, awning;

@@ -5,9 +5,9 @@
 /// The city's painted surfaces. Each is a square tile of the stated size; looks vary with the stream.
 namespace cps::city {
 
-inline constexpr double asphalt_tile_m = 3.0, paving_tile_m = 2.4, kerb_tile_m = 2.0, grass_tile_m = 2.5,
+inline constexpr double asphalt_tile_m = 3.0, paving_tile_m = 2.4, kerb_tile_m = 2.0, grass_tile_m = 2.0,
                         paint_tile_m = 2.0;
-inline constexpr double brick_tile_m = 2.0, plaster_tile_m = 3.0, concrete_tile_m = 3.0, roof_tile_m = 2.4,
+inline constexpr double brick_tile_m = 2.0, plaster_tile_m = 2.0, concrete_tile_m = 2.0, roof_tile_m = 2.4,
                         flat_roof_tile_m = 3.0;
 inline constexpr double bark_tile_m = 1.0, sheet_tile_m = 2.0;
 inline constexpr int curtain_wall_panels = 8, curtain_wall_storeys = 4;

@@ -5,6 +5,8 @@
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/roadside/boundary.h"
 #include "scenes/city/roadside/goods.h"
+#include "scenes/city/roadside/lorry.h"
+#include "scenes/city/roadside/person.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
 
@@ -46,6 +48,14 @@ void add_cars(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
     }
     library.cars.push_back(std::move(paints));
   }
+}
+
+void add_lorries(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
+  const int first = writer.add_mesh(lorry(m, m.car_paint[0]));
+  for (std::size_t p = 0; p < m.car_paint.size(); ++p)
+    library.lorries.push_back(
+        {ModelKind::car, p == 0 ? first : writer.add_variant(first, "lorry", m.car_paint[0], m.car_paint[p]),
+         "lorry", lorry_length_m / 2 + 0.03, lorry_width_m / 2 + 0.14, 0});  // with its mirrors
 }
 
 void add_boundaries(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
@@ -100,6 +110,10 @@ ModelLibrary make_models(GlbWriter& writer, const Materials& m, std::uint64_t se
   library.switch_box = store(writer, switch_box(m), 0.2, 0.62);
   add_boundaries(library, writer, m, seed);
   add_goods(library, writer, m);
+  add_lorries(library, writer, m);
+  for (int i = 0; i < 12; ++i)
+    library.people.push_back(
+        store(writer, person(m, substream(make_stream(seed, "person"), i)), 0.4, 0.35, ModelKind::person));
   for (const SignKind kind : {SignKind::no_stopping, SignKind::yield, SignKind::priority, SignKind::parking,
                               SignKind::crossing, SignKind::speed})
     library.signs.push_back(store(writer, traffic_sign(m, kind), 0.3, 0.06));

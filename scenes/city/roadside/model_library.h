@@ -7,7 +7,7 @@
 /// Everything that stands in the city more than once: stored as one mesh, placed by many nodes.
 namespace cps::city {
 
-enum class ModelKind { tree, boundary, car, furniture, goods, house };
+enum class ModelKind { tree, boundary, person, car, furniture, goods, house };
 
 struct Model {
   ModelKind kind = ModelKind::furniture;
@@ -26,7 +26,7 @@ struct ModelLibrary {
   std::vector<Model> goods;       ///< containers, silos
   std::vector<Model> signs;       ///< by SignKind
   Model traffic_light_red, traffic_light_green;
-  std::vector<Model> far_houses;
+  std::vector<Model> far_houses, lorries, people;
 };
 
 ModelLibrary make_models(GlbWriter& writer, const Materials& materials, std::uint64_t seed);

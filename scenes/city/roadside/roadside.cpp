@@ -53,6 +53,7 @@ class Furnisher {
     if (against_side) sign(kerb, cut_first, first, street.profile, draws);
     plant_avenue(kerb, draws);
     equip(kerb, cut_first, first, draws);
+    walk(kerb, Draws{substream(stream, 9000 + 10 * side.segment + side.reversed)});
   }
 
   void plant_gardens() {
@@ -83,7 +84,8 @@ class Furnisher {
         try_place({&model, spot.position, kerb_height_m + spot.rise_m, angle_of(spot.direction), 1});
     }
     for (const Spot& spot : plan.goods_spots) {
-      const Model& model = draws.one_of(models.goods);
+      const bool is_lorry = draws.chance(0.35);
+      const Model& model = draws.one_of(is_lorry ? models.lorries : models.goods);
       const double heading = angle_of(spot.direction) + (draws.chance(0.2) ? std::numbers::pi / 2 : 0.0);
       try_place({&model, spot.position, kerb_height_m, heading, 1});
     }
@@ -227,6 +229,19 @@ class Furnisher {
         try_place({&models.bench, kerb.at(s, kerb.pavement_m - 0.6), kerb_height_m, kerb.facing(s), 1});
       else
         try_place({&models.switch_box, kerb.at(s, kerb.pavement_m - 0.35), kerb_height_m, kerb.facing(s), 1});
+    }
+  }
+
+  /// People on the pavement: more where there are shops and towers.
+  void walk(const Kerb& kerb, Draws draws) {
+    const bool busy = plan.kind == BlockKind::closed || plan.kind == BlockKind::towers;
+    const double spacing = draws.uniform(0.6, 1.8) * (busy ? 16 : 55);
+    for (double s = kerb.from + draws.uniform(0, spacing); s < kerb.to;
+         s += spacing * draws.uniform(0.3, 1.7)) {
+      const double inset = draws.uniform(0.8, std::max(0.9, kerb.pavement_m - 0.6));
+      const Vec2 along = draws.chance(0.5) ? kerb.direction(s) : Vec2(-kerb.direction(s));
+      try_place({&draws.one_of(models.people), kerb.at(s, inset), kerb_height_m,
+                 angle_of(along) + draws.uniform(-0.4, 0.4), 1});
     }
   }
 

@@ -38,6 +38,44 @@ struct Painter {
   }
 };
 
+/// Where the lane's traffic may go from here.
+enum class Arrow { straight, left, right };
+
+/// An arrow on the lane at `left_m`, its tip `ahead_m` before the stop line at `station`; `with`: traffic
+/// runs in the line's direction.
+void paint_arrow(const Painter& painter, double station, double left_m, bool with, double ahead_m,
+                 Arrow arrow) {
+  const Station at = station_at(painter.centre, station);
+  const Vec2 on = with ? at.direction : Vec2(-at.direction), left = left_of(on);
+  const Vec2 tip = at.point + left_of(at.direction) * left_m - on * ahead_m;
+  const auto point = [&](double along, double aside) { return Vec2(tip + on * along + left * aside); };
+  const auto triangle = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
+    std::vector<Vertex> corners;
+    for (const Vec2& p : {a, b, c})
+      corners.push_back({lift(p, paint_height_m), Vec2(p.x(), -p.y()) / paint_tile_m});
+    add_polygon(painter.paint, corners);
+  };
+  const double shaft = arrow == Arrow::straight ? -1.4 : -0.75;
+  add_stripe(painter.paint, {point(-4, 0), point(shaft, 0)}, 0.15, paint_height_m, paint_tile_m);
+  if (arrow == Arrow::straight) return triangle(point(-1.4, 0.3), point(-1.4, -0.3), point(0, 0));
+  const double side = arrow == Arrow::left ? 1 : -1;
+  add_stripe(painter.paint, {point(-0.85, side * 0.076), point(-0.85, side * 0.45)}, 0.2, paint_height_m,
+             paint_tile_m);
+  const Vec2 a = point(-0.35, side * 0.45), b = point(-1.35, side * 0.45), c = point(-0.85, side * 1.05);
+  side > 0 ? triangle(a, c, b) : triangle(a, b, c);
+}
+
+/// Arrows before a stop line, where there are lanes to choose from.
+void paint_arrows(const Painter& painter, const StreetProfile& p, double station, bool with) {
+  const int lanes = with ? p.lanes_forward : p.lanes_backward;
+  for (int lane = 0; lane < lanes && lanes > 1; ++lane)
+    paint_arrow(painter, station, with ? p.forward_lane_offset(lane) : p.backward_lane_offset(lane), with,
+                4.0,
+                lane == 0           ? Arrow::right
+                : lane + 1 == lanes ? Arrow::left
+                                    : Arrow::straight);
+}
+
 void paint_lanes(const Painter& painter, const StreetProfile& p, double from, double to) {
   const double divider = p.divider_offset();
   if (p.lanes_forward > 1 && p.lanes_backward > 1) {
@@ -109,6 +147,8 @@ Mesh road_markings(const StreetNetwork& network, int street, const Materials& ma
       painter.across(stop_from, half - profile.parking_left_m - 0.15, divider + 0.1, stop_line_width_m);
     if (last.stop_line && profile.lanes_forward > 0)
       painter.across(stop_to, divider - 0.1, -half + profile.parking_right_m + 0.15, stop_line_width_m);
+    if (first.stop_line) paint_arrows(painter, profile, stop_from, false);
+    if (last.stop_line) paint_arrows(painter, profile, stop_to, true);
     const double from = first.stop_line ? stop_from + stop_line_width_m / 2 : segment.cut_from + 0.5;
     const double to = last.stop_line ? stop_to - stop_line_width_m / 2 : total - segment.cut_to - 0.5;
     paint_lanes(painter, profile, from, to);
