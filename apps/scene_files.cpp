@@ -15,11 +15,15 @@ std::vector<fs::path> scene_files(const Recipe& recipe, const fs::path& city_fol
   for (const fs::path& file : files)
     if (!fs::is_regular_file(file))
       throw std::runtime_error("scene: " + file.string() + ": there is no such file");
-  for (std::uint64_t seed : recipe.city_seeds) {
-    const fs::path file = city_folder / ("city_" + std::to_string(seed) + ".glb");
+  std::vector<CityStyle> styles;
+  for (const std::string& name : recipe.city_styles) styles.push_back(city_style_from(name));
+  for (std::size_t i = 0; i < recipe.city_seeds.size(); ++i) {
+    const CityOptions city{.seed = recipe.city_seeds[i], .style = styles[i % styles.size()]};
+    const fs::path file =
+        city_folder / ("city_" + to_string(city.style) + "_" + std::to_string(city.seed) + ".glb");
     if (!fs::exists(file)) {
       fs::create_directories(city_folder);
-      write_city({.seed = seed}, file);
+      write_city(city, file);
     }
     files.push_back(file);
   }

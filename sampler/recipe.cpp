@@ -36,6 +36,7 @@ bool Recipe::is_valid(std::string* why) const {
   const Check checks[] = {
       {!name.empty(), "name: must not be empty"},
       {!scenes.empty() || !city_seeds.empty(), "scene, city_seed: name at least one scene or city"},
+      {!city_styles.empty(), "city_style: name at least one, as european"},
       {suns >= 1, "suns: must be at least 1"},
       {is_between(sun_elevation_min_deg, 1, 90) &&
            is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90),

@@ -20,8 +20,9 @@ struct Recipe {
   std::uint64_t seed = 0;
 
   // Conditions: each scene under `suns` drawn suns.
-  std::vector<std::string> scenes;        ///< glTF files with lanes
-  std::vector<std::uint64_t> city_seeds;  ///< procedural cities, made when needed
+  std::vector<std::string> scenes;                   ///< glTF files with lanes
+  std::vector<std::uint64_t> city_seeds;             ///< procedural cities, made when needed
+  std::vector<std::string> city_styles{"european"};  ///< theirs, in turn
   int suns = 1;
   double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
   double turbidity_min = 2, turbidity_max = 6;

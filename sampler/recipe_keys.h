@@ -14,6 +14,7 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("scene", r.scenes, "glTF files with lanes, separated by commas");
   visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
+  visit("city_style", r.city_styles, "their styles, in turn, separated by commas");
   visit("suns", r.suns, "conditions per scene: each has its own sun and haze");
   visit("sun_elevation_min_deg", r.sun_elevation_min_deg, "lowest sun, degrees above the horizon");
   visit("sun_elevation_max_deg", r.sun_elevation_max_deg, "highest sun");

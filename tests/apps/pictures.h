@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// A picture from a function of column, row and channel; integers as fractions of their largest value.
 inline void write_image(const fs::path& file, int width, int height, int channels, OIIO::TypeDesc type,
-                 const std::function<double(int x, int y, int channel)>& value) {
+                        const std::function<double(int x, int y, int channel)>& value) {
   fs::create_directories(file.parent_path());
   OIIO::ImageSpec spec(width, height, channels, type);
   if (channels == 2) spec.channelnames = {"Y", "A"}, spec.alpha_channel = 1;
@@ -68,6 +68,5 @@ inline void run_well(const std::string& arguments) {
 inline CalibratedCamera label(const fs::path& file) {
   return read_calibration(file).front();
 }
-
 
 }  // namespace cps

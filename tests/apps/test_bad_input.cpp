@@ -42,6 +42,7 @@ TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave 
   fs::create_directories(out);
   const std::string o = out.string();
   const std::string rest = " --size 80x45 --base_hfov_deg 60 --views 3 --samples 2 --out " + o + "/dataset";
+  check_refused("generate --city_seed 1 --city_style village" + rest, 1, "european, downtown");
   check_refused("render /nonexistent.glb -o " + o + "/a.png", 1, "/nonexistent.glb");
   check_refused("generate --recipe /nonexistent.cfg --out " + o + "/dataset", 1, "/nonexistent.cfg");
   check_refused("generate --scene /nonexistent.glb" + rest, 1, "/nonexistent.glb");

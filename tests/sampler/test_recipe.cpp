@@ -28,7 +28,8 @@ const std::string whole = "scene = a.glb\nsize = 480x270\nbase_hfov_deg = 90\nvi
 
 TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   const Recipe recipe = recipe_of(
-      "# a comment\nname = try\nseed = 18446744073709551615\nscene = a.glb, b/c.gltf\ncity_seed = 0, 7\n"
+      "# a comment\nname = try\nseed = 18446744073709551615\nscene = a.glb, b/c.gltf\ncity_seed = 0, "
+      "7\ncity_style = suburb, mixed\n"
       "size = 1392x512, 480x270\nbase_hfov_deg = 50, 90.5,130\nviews = 12\nlenses = 3\nmax_zoom = 1.75\n"
       "lens_draw = shape_prior\n",
       {"--views", "24"});
@@ -36,6 +37,7 @@ TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   CHECK(recipe.seed == 18446744073709551615ull);
   CHECK(recipe.scenes == std::vector<std::string>{"a.glb", "b/c.gltf"});
   CHECK(recipe.city_seeds == std::vector<std::uint64_t>{0, 7});
+  CHECK(recipe.city_styles == std::vector<std::string>{"suburb", "mixed"});
   REQUIRE(recipe.sizes.size() == 2);
   CHECK(recipe.sizes[0].width == 1392);
   CHECK(recipe.sizes[0].height == 512);
