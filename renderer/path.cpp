@@ -160,8 +160,8 @@ void scatter(Path& path, const Surface& surface, std::uint32_t first_pair) {
   path.throughput *= sample.weight;
 
   // Russian roulette: the square root keeps dim paths longer, since what they may still find is bright (the
-  // sun).
-  const float survival = std::min(1.0f, std::sqrt(path.throughput.maxCoeff()));
+  // sun), and twice that reaches an error sooner than once or three times.
+  const float survival = std::min(1.0f, 2.0f * std::sqrt(path.throughput.maxCoeff()));
   if (path.shaded_vertices > 0 && survival < 1.0f) {
     if (lobe_and_roulette.y() >= survival) return end_path(path, "Russian roulette");
     path.throughput /= survival;
@@ -182,17 +182,14 @@ void scatter(Path& path, const Surface& surface, std::uint32_t first_pair) {
   }
 }
 
-/// The nearest surface that shows. glTF hides the backs of single-sided materials from the viewer; light
-/// between surfaces meets them like fronts, so that a wall without a back casts a shadow and lets nothing
-/// through.
-Hit first_visible(const RenderScene& scene, const Path& path, Hit hit, std::uint64_t& rays) {
-  Ray ray = path.ray;
-  while (hit && is_culled(scene.placed, ray, hit)) {
-    ray.t_near = hit.t + 1e-5f + 1e-6f * hit.t;
-    hit = scene.bvh.intersect(ray);
-    ++rays;
-  }
-  return hit;
+/// The surface that shows where `hit` is the nearest. glTF hides the backs of single-sided materials from the
+/// viewer; light between surfaces meets them like fronts, so that a wall without a back casts a shadow and
+/// lets nothing through. A front may lie in the very place of a hidden back (cloth made of two), so the ray
+/// starts anew.
+Hit first_visible(const RenderScene& scene, const Path& path, const Hit& hit, std::uint64_t& rays) {
+  if (!hit || !is_culled(scene.placed, path.ray, hit)) return hit;
+  ++rays;
+  return scene.bvh.intersect_shown(path.ray);
 }
 
 void record_vertex(Path& path, const Hit& hit, const Surface& surface, const Color& emission) {

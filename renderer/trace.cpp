@@ -41,9 +41,20 @@ RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& pl
   return instance;
 }
 
+/// For single rays.
+void filter_backs(const RTCFilterFunctionNArguments* args) {
+  const auto& geometry = *static_cast<const Geometry*>(args->geometryUserPtr);
+  if (geometry.material->double_sided) return;
+  const Vec3 normal(RTCHitN_Ng_x(args->hit, 1, 0), RTCHitN_Ng_y(args->hit, 1, 0),
+                    RTCHitN_Ng_z(args->hit, 1, 0));
+  const Vec3 direction(RTCRayN_dir_x(args->ray, 1, 0), RTCRayN_dir_y(args->ray, 1, 0),
+                       RTCRayN_dir_z(args->ray, 1, 0));
+  if (normal.dot(direction) > 0.0f) args->valid[0] = 0;
+}
+
 RTCScene new_scene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   return scene;
 }
@@ -112,16 +123,29 @@ Bvh::Bvh(const PlacedGeometry& placed) : device(rtcNewDevice("isa=avx2")) {
   check(device.get());
 }
 
-Hit Bvh::intersect(const Ray& ray) const {
+namespace {
+
+Hit nearest(RTCScene scene, const Ray& ray, RTCFilterFunctionN filter) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
+  context.filter = filter;
   RTCRayHit query;
   query.ray = to_embree(ray);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene.get(), &context, &query);
+  rtcIntersect1(scene, &context, &query);
   const RTCHit& hit = query.hit;
   return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v,
           query.ray.tfar};
+}
+
+}  // namespace
+
+Hit Bvh::intersect(const Ray& ray) const {
+  return nearest(scene.get(), ray, nullptr);
+}
+
+Hit Bvh::intersect_shown(const Ray& ray) const {
+  return nearest(scene.get(), ray, filter_backs);
 }
 
 void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],

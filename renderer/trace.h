@@ -41,7 +41,10 @@ class Bvh {
   /// Nearest surface. Alpha masks cut holes; a half-transparent surface stops a share of the rays.
   Hit intersect(const Ray& ray) const;
 
-  /// The same for rays that start alike; those with `active[i]` false are left alone.
+  /// The same without the backs of single-sided materials, which glTF does not show to the viewer.
+  Hit intersect_shown(const Ray& ray) const;
+
+  /// As intersect() for rays that start alike; those with `active[i]` false are left alone.
   void intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
                           Hit (&hits)[packet_size]) const;
 

@@ -103,6 +103,28 @@ TEST_CASE("Backs of single-sided materials are hidden from the camera but block 
   CHECK(one_sided.bvh.transmittance(ray).x() == 0);
 }
 
+TEST_CASE("Cloth made of two fronts in one place, back to back, shows from both sides") {
+  // The quads are cut along different diagonals, as awnings of the city are.
+  Mesh cloth = quad({-1, -1, 0.3f}, {2, 0, 0.1f}, {0, 2, 0.2f});
+  const Mesh back = quad({1, -1, 0.4f}, {-2, 0, -0.1f}, {0, 2, 0.2f});
+  cloth.positions.insert(cloth.positions.end(), back.positions.begin(), back.positions.end());
+  cloth.normals.insert(cloth.normals.end(), back.normals.begin(), back.normals.end());
+  cloth.uv0.insert(cloth.uv0.end(), back.uv0.begin(), back.uv0.end());
+  cloth.tangents.insert(cloth.tangents.end(), back.tangents.begin(), back.tangents.end());
+  for (const Eigen::Vector3i& t : back.triangles) cloth.triangles.push_back(t + Eigen::Vector3i::Constant(4));
+  for (const Eigen::Affine3f& placed : {Eigen::Affine3f::Identity(), mirrored_and_turned()}) {
+    Scene scene;
+    scene.materials.push_back(lambert({0, 0, 0, 1}));
+    add(scene, cloth, placed);
+    const RenderScene built(scene, constant_light(1));
+    for (const float side : {-3.0f, 3.0f}) {
+      const Eigen::Vector3d from = (placed * Vec3(0.4f, 0.1f, side)).cast<double>();
+      const Eigen::Vector3d at = (placed * Vec3(0, 0, 0.45f)).cast<double>();
+      CHECK(mean(render(built, camera(from, at, 32, 32, 6), {.samples = 8})).maxCoeff() == 0.0f);
+    }
+  }
+}
+
 TEST_CASE("A mirrored single-sided wall keeps its front in front") {
   Scene scene;
   scene.materials = {material({0.5f, 0.5f, 0.5f, 1})};
