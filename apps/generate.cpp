@@ -16,8 +16,9 @@
 #include "distortion/render_noise.h"
 #include "renderer/render.h"
 #include "sampler/plan.h"
+#include "sampler/recipe_values.h"
 #include "sampler/rig_file.h"
-#include "scenes/gltf_import.h"
+#include "scenes/drive/driven_scene.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -65,7 +66,7 @@ ViewRecord make_view(const Plan& plan, std::int64_t index, const RenderScene& sc
   return record;
 }
 
-void generate(const Plan& plan, Journal& journal, const fs::path& root) {
+void generate(const Plan& plan, const DriveOptions& drive, Journal& journal, const fs::path& root) {
   for (const PlannedGroup& group : plan.groups)
     write_json(root / group.folder / "calibration.json", to_json(group_label(plan, group)));
   Progress progress("views", static_cast<std::int64_t>(journal.finished().size()),
@@ -78,13 +79,32 @@ void generate(const Plan& plan, Journal& journal, const fs::path& root) {
     const PlannedCondition& condition = plan.conditions[view.condition];
     const fs::path& file = plan.scenes[condition.scene].file;
     if (loaded != view.condition) {
-      scene = build_render_scene(import_gltf(file), condition.daylight);
+      scene = build_render_scene(load_scaled_scene(file, drive), condition.daylight);
       loaded = view.condition;
     }
     journal.append(make_view(plan, v, *scene, root));
     progress.advance(1, file.filename().string() + " " + plan.sets[view.set].folder);
   }
   progress.finish();
+}
+
+DriveOptions drive_options(const po::variables_map& values, const Recipe& recipe) {
+  DriveOptions drive{.metres_per_unit = values["scale"].as<double>(), .route = {}};
+  if (!(drive.metres_per_unit == 0 || (drive.metres_per_unit >= 1e-6 && drive.metres_per_unit <= 1e6)))
+    throw po::error("--scale: must be 0 or lie in [1e-6, 1e6]");
+  if (values.count("route") == 0) return drive;
+  drive.route = values["route"].as<std::string>();
+  if (recipe.scenes.size() != 1 || !recipe.city_seeds.empty())
+    throw po::error("--route: needs a recipe with one scene and no city");
+  return drive;
+}
+
+/// What the job's fingerprint and its first difference know of it.
+std::string drive_text(const DriveOptions& drive) {
+  std::string text =
+      "scale = " + value_text(drive.metres_per_unit) + "\nroute = " + drive.route.string() + "\n";
+  if (!drive.route.empty()) text += "route_sha256 = " + sha256(read_file(drive.route)) + "\n";
+  return text;
 }
 
 constexpr const char* usage =
@@ -99,6 +119,10 @@ int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(), "recipe file: key = value lines")(
       "out", po::value<std::string>()->required(), "the dataset's folder")(
+      "scale", po::value<double>()->default_value(0),
+      "metres per unit of the scenes; 0: 1 where they have lanes, else guessed")(
+      "route", po::value<std::string>(),
+      "a drive through the scene, CSV: x,y,z[,heading_deg] in its units; none: its lanes, else found")(
       "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
   options.add(recipe_options());
   po::variables_map values;
@@ -113,7 +137,8 @@ int cps_generate(const Arguments& arguments) {
   const fs::path recipe_folder =
       values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
   const Rig rig = find_rig(recipe.rig, recipe_folder);
-  const std::string wanted = to_text(recipe) + to_text(rig);
+  const DriveOptions drive = drive_options(values, recipe);
+  const std::string wanted = to_text(recipe) + to_text(rig) + drive_text(drive);
   const fs::path root = values["out"].as<std::string>();
   const std::vector<fs::path> scenes = scene_files(recipe, root / "scenes");
   const std::vector<std::string> hashes = scene_hashes(scenes);
@@ -123,11 +148,15 @@ int cps_generate(const Arguments& arguments) {
     std::cout << root.string() << ": is finished; nothing to do\n";
     return 0;
   }
-  const Plan plan = make_plan(recipe, rig, scenes, [](const fs::path& file) { return import_gltf(file); });
+  const Plan plan = make_plan(recipe, rig, scenes, [&](const fs::path& file) {
+    DrivenScene driven = load_driven_scene(file, drive);
+    if (!driven.note.empty()) std::cout << driven.note << "\n";
+    return std::move(driven.scene);
+  });
   Journal journal(root, job);
   std::cout << root.string() << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
             << image_count(plan) << " images; " << plan.places.brief() << "\n";
-  generate(plan, journal, root);
+  generate(plan, drive, journal, root);
   finish_dataset(root, plan, journal.finished(), hashes);
   std::cout << root.string() << ": finished\n";
   return 0;

@@ -1,0 +1,121 @@
+#include "scenes/drive/drive_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "random/counter_hash.h"
+
+namespace cps {
+namespace {
+
+constexpr int most_drives = 60, candidates = 200, headings = 24;
+constexpr double half_car_m = 1.2;  ///< a car and a little
+constexpr double apart_m = 3;       ///< between drives
+constexpr double shortest_m = 4, longest_m = 120, sight_m = 60;
+constexpr double step_m = 1, radians = std::numbers::pi / 180;
+
+struct Walker {
+  Eigen::Vector2d point;  ///< x, z
+  double heading = 0;     ///< about +y, 0 along +x, growing to the left
+};
+
+Eigen::Vector2d ahead(double heading) {
+  return {std::cos(heading), -std::sin(heading)};
+}
+
+/// Cells that a drive passes within `apart_m` of.
+class Taken {
+ public:
+  explicit Taken(const GroundGrid& grid) : grid_(grid), cells_(grid.height.size(), 0) {}
+  bool contains(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d at = (point - grid_.corner) / grid_.cell_m;
+    const int x = static_cast<int>(std::lround(at.x())), z = static_cast<int>(std::lround(at.y()));
+    return x < 0 || z < 0 || x >= grid_.nx || z >= grid_.nz || cells_[grid_.index(x, z)];
+  }
+  void add(const Eigen::Vector2d& point) {
+    const int reach = static_cast<int>(std::ceil(apart_m / grid_.cell_m));
+    const Eigen::Vector2d at = (point - grid_.corner) / grid_.cell_m;
+    const int cx = static_cast<int>(std::lround(at.x())), cz = static_cast<int>(std::lround(at.y()));
+    for (int z = std::max(cz - reach, 0); z <= std::min(cz + reach, grid_.nz - 1); ++z)
+      for (int x = std::max(cx - reach, 0); x <= std::min(cx + reach, grid_.nx - 1); ++x)
+        if (std::hypot(x - cx, z - cz) * grid_.cell_m <= apart_m) cells_[grid_.index(x, z)] = 1;
+  }
+
+ private:
+  const GroundGrid& grid_;
+  std::vector<std::uint8_t> cells_;
+};
+
+/// How far a car gets straight ahead, at most `sight_m`.
+double free_way_m(const GroundGrid& ground, const Taken& taken, const Walker& walker) {
+  double way_m = 0;
+  for (const double step = std::max(0.5, ground.cell_m / 2); way_m < sight_m; way_m += step) {
+    const Eigen::Vector2d point = walker.point + (way_m + step) * ahead(walker.heading);
+    if (ground.room_at(point) < half_car_m || taken.contains(point)) break;
+  }
+  return way_m;
+}
+
+/// Of some places drawn on the free ground, the one with the longest way ahead.
+Walker best_start(const GroundGrid& ground, const Taken& taken, const std::vector<int>& free, Stream stream) {
+  Walker best{Eigen::Vector2d::Constant(NAN)};
+  double best_m = 0;
+  for (int i = 0; i < candidates; ++i) {
+    const int cell = free[random_below(stream, i, free.size())];
+    Walker walker{ground.corner + ground.cell_m * Eigen::Vector2d(cell % ground.nx, cell / ground.nx)};
+    if (taken.contains(walker.point)) continue;
+    for (int h = 0; h < headings; ++h) {
+      walker.heading = 2 * std::numbers::pi * h / headings;
+      // The middle of a road before its edge.
+      const double way_m =
+          free_way_m(ground, taken, walker) + 2 * std::min(ground.room_at(walker.point), 4.0);
+      if (way_m > best_m) best = walker, best_m = way_m;
+    }
+  }
+  return best_m > shortest_m ? best : Walker{Eigen::Vector2d::Constant(NAN)};
+}
+
+std::vector<Eigen::Vector2d> walk(const GroundGrid& ground, const Taken& taken, Walker walker) {
+  std::vector<Eigen::Vector2d> path = {walker.point};
+  while (path.size() * step_m < longest_m) {
+    Walker best = walker;
+    double best_score = -1, best_way_m = 0;
+    for (const double turn_deg : {0.0, 5.0, -5.0, 10.0, -10.0}) {
+      Walker next{walker.point, walker.heading + turn_deg * radians};
+      const double way_m = free_way_m(ground, taken, next);
+      next.point += step_m * ahead(next.heading);
+      const double score =
+          std::min(way_m, 30.0) + 3 * std::min(ground.room_at(next.point), 4.0) - 0.2 * std::abs(turn_deg);
+      if (score > best_score) best = next, best_score = score, best_way_m = way_m;
+    }
+    if (best_way_m < 2 * step_m) break;
+    walker = best;
+    path.push_back(walker.point);
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<Lane> find_drives(const GroundGrid& ground) {
+  std::vector<int> free;
+  for (int cell = 0; cell < ground.nx * ground.nz; ++cell)
+    if (ground.room_m[cell] >= half_car_m) free.push_back(cell);
+  std::vector<Lane> drives;
+  Taken taken(ground);
+  const Stream stream = make_stream(0, "drives");
+  for (int drive = 0; drive < most_drives && !free.empty(); ++drive) {
+    const Walker start = best_start(ground, taken, free, substream(stream, drive));
+    if (!start.point.allFinite()) break;
+    const std::vector<Eigen::Vector2d> path = walk(ground, taken, start);
+    for (const Eigen::Vector2d& point : path) taken.add(point);
+    if ((path.size() - 1) * step_m < shortest_m) continue;
+    Lane& lane = drives.emplace_back();
+    lane.street = "drive " + std::to_string(drives.size());
+    for (const Eigen::Vector2d& point : path) lane.points.push_back(ground.ground_at(point).cast<float>());
+  }
+  return drives;
+}
+
+}  // namespace cps

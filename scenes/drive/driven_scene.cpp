@@ -1,0 +1,72 @@
+#include "scenes/drive/driven_scene.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "scenes/drive/drive_search.h"
+#include "scenes/drive/route_file.h"
+#include "scenes/drive/unit_scale.h"
+#include "scenes/gltf_import.h"
+#include "scenes/routes.h"
+
+namespace cps {
+namespace {
+
+double metres_per_unit(const Scene& scene, const DriveOptions& options) {
+  if (options.metres_per_unit > 0) return options.metres_per_unit;
+  return scene.lanes.empty() ? guess_unit_scale(scene) : 1;
+}
+
+std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& file) {
+  const SceneRays rays(scene);
+  const GroundGrid ground = ground_grid(scene, rays);
+  std::vector<Lane> drives = find_drives(ground);
+  if (drives.empty()) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        ": no way to drive was found (%.0f x %.0f x %.0f m, largest flat piece %.0f m2); set --scale "
+        "or name a --route",
+        scene.bounds.sizes().x(), scene.bounds.sizes().y(), scene.bounds.sizes().z(), ground.area_m2);
+    throw std::runtime_error(file.string() + text);
+  }
+  return drives;
+}
+
+std::string note_of(const DrivenScene& driven, const std::filesystem::path& file, bool is_guessed) {
+  if (driven.drive == "lanes" && driven.metres_per_unit == 1) return "";
+  double driven_m = 0;
+  for (const Lane& lane : driven.scene.lanes) driven_m += length_m(lane);
+  char text[160];
+  std::snprintf(text, sizeof text, ": %g m per unit%s, %zu %s, %.0f m", driven.metres_per_unit,
+                is_guessed ? " (guessed)" : "", driven.scene.lanes.size(),
+                driven.drive == "found" ? "drives found" : "lanes", driven_m);
+  return file.filename().string() + text;
+}
+
+}  // namespace
+
+Scene load_scaled_scene(const std::filesystem::path& file, const DriveOptions& options) {
+  Scene scene = import_gltf(file);
+  scale_scene(scene, metres_per_unit(scene, options));
+  return scene;
+}
+
+DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOptions& options) {
+  DrivenScene driven;
+  driven.scene = import_gltf(file);
+  const bool is_guessed = options.metres_per_unit == 0 && driven.scene.lanes.empty();
+  driven.metres_per_unit = metres_per_unit(driven.scene, options);
+  scale_scene(driven.scene, driven.metres_per_unit);
+  if (!options.route.empty()) {
+    driven.scene.lanes = read_route(options.route, driven.metres_per_unit);
+    driven.drive = "route";
+  } else if (driven.scene.lanes.empty()) {
+    driven.scene.lanes = found_drives(driven.scene, file);
+    driven.drive = "found";
+  }
+  driven.note = note_of(driven, file, is_guessed);
+  return driven;
+}
+
+}  // namespace cps

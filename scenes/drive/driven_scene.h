@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/scene.h"
+
+namespace cps {
+
+/// How a scene that knows no metres or lanes is made fit to drive in.
+struct DriveOptions {
+  double metres_per_unit = 0;   ///< 0: 1 for a scene with lanes, else guessed
+  std::filesystem::path route;  ///< a CSV file with the drive (route_file.h); none: its lanes, else found
+};
+
+/// A scene in metres with lanes, and how it came by them.
+struct DrivenScene {
+  Scene scene;
+  double metres_per_unit = 1;
+  std::string drive = "lanes";  ///< the file's own lanes, a route file, or found
+  /// For people: `littlest.glb: 0.01 m per unit (guessed), 12 drives found, 345 m`. Empty for a scene that
+  /// came with lanes in metres.
+  std::string note;
+};
+
+/// Imports a glTF file in metres: scaled as the options say, else as it is when it has lanes, else by a
+/// guess.
+Scene load_scaled_scene(const std::filesystem::path& file, const DriveOptions& options);
+
+/// Imports a glTF file, scales it, and gives it lanes if it has none: the options' route, else drives found
+/// on its ground by ray casting. Throws std::runtime_error in one line: file, what, fix.
+DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOptions& options);
+
+}  // namespace cps

@@ -1,0 +1,36 @@
+#include "scenes/drive/unit_scale.h"
+
+#include <algorithm>
+
+namespace cps {
+
+double guess_unit_scale(const Scene& scene) {
+  const Eigen::Vector3d size = scene.bounds.sizes().cast<double>();
+  const double height = size.y(), width = std::max(size.x(), size.z());
+  const auto is_high = [&](double scale) { return scale * height >= 3 && scale * height <= 60; };
+  const auto is_wide = [&](double scale) { return scale * width >= 20 && scale * width <= 20'000; };
+  constexpr double scales[] = {1, 0.1, 10, 0.01, 100, 0.001, 1000};
+  for (const double scale : scales)
+    if (is_high(scale) && is_wide(scale)) return scale;
+  for (const double scale : scales)
+    if (is_high(scale)) return scale;
+  return 1;
+}
+
+void scale_scene(Scene& scene, double metres_per_unit) {
+  const auto s = static_cast<float>(metres_per_unit);
+  if (s == 1) return;
+  for (Instance& instance : scene.instances) instance.world_from_mesh.prescale(s);
+  for (PunctualLight& light : scene.lights) {
+    light.position *= s;
+    if (light.kind != PunctualLight::Kind::directional) light.intensity *= s * s;
+  }
+  for (Lane& lane : scene.lanes) {
+    lane.width_m *= s;
+    for (Eigen::Vector3f& point : lane.points) point *= s;
+  }
+  for (SceneCamera& camera : scene.cameras) camera.world_from_camera.translation() *= metres_per_unit;
+  scene.bounds = Eigen::AlignedBox3f(scene.bounds.min() * s, scene.bounds.max() * s);
+}
+
+}  // namespace cps

@@ -1,0 +1,158 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "scenes/drive/drive_search.h"
+#include "scenes/drive/route_file.h"
+#include "scenes/drive/unit_scale.h"
+#include "scenes/routes.h"
+#include "tests/temporary_folder.h"
+
+using namespace cps;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+namespace {
+
+/// A box with outward faces, its corners at ±1.
+Mesh box() {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.emplace_back(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
+  mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  return mesh;
+}
+
+void add_box(Scene& scene, const Vector3f& low, const Vector3f& high) {
+  Instance instance;
+  instance.world_from_mesh =
+      Eigen::Translation3f((low + high) / 2) * Eigen::Scaling(Vector3f((high - low) / 2));
+  scene.instances.push_back(instance);
+  scene.bounds.extend(low).extend(high);
+}
+
+/// A road of 10 m along x between two rows of houses, 200 m long; the ground goes on below the houses.
+Scene street() {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.meshes = {box()};
+  add_box(scene, {-100, -1, -25}, {100, 0, 25});
+  for (int i = 0; i < 10; ++i)
+    for (const float z : {-15.0f, 5.0f}) {
+      const float x = -100 + 20.0f * static_cast<float>(i);
+      add_box(scene, {x, 0, z}, {x + 20, 12, z + 10});
+    }
+  return scene;
+}
+
+std::vector<Lane> route_of(const std::string& text, double scale = 1) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "drive.csv") << text;
+  return read_route(folder.path / "drive.csv", scale);
+}
+
+}  // namespace
+
+TEST_CASE("the ground between houses is found, and what is below them is not part of it") {
+  const Scene scene = street();
+  const SceneRays rays(scene);
+  const GroundGrid ground = ground_grid(scene, rays);
+  CHECK(ground.room_at({0, 0}) == Approx(5).margin(1.0));
+  CHECK(ground.room_at({0, 4.6}) < 1);
+  CHECK(ground.room_at({0, 10}) == 0);  // in a house
+  CHECK(ground.room_at({150, 0}) == 0);
+  CHECK(ground.ground_at({3, 1}).y() == Approx(0).margin(1e-5));
+  CHECK(ground.area_m2 == Approx(200 * 10).epsilon(0.15));
+}
+
+TEST_CASE("drives keep clear of the walls and of one another") {
+  const Scene scene = street();
+  const SceneRays rays(scene);
+  const std::vector<Lane> drives = find_drives(ground_grid(scene, rays));
+  REQUIRE(!drives.empty());
+  double longest_m = 0;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    longest_m = std::max(longest_m, length_m(drives[i]));
+    for (const Vector3f& point : drives[i].points) {
+      CHECK(std::abs(point.z()) < 5 - 1.0);
+      CHECK(std::abs(point.x()) < 100);
+      for (std::size_t j = 0; j < i; ++j)
+        for (const Vector3f& other : drives[j].points) CHECK((point - other).norm() > 2.4);
+    }
+  }
+  CHECK(longest_m > 80);
+}
+
+TEST_CASE("a scene without a way to drive has no drives") {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.meshes = {box()};
+  add_box(scene, {0, 0, 0}, {2, 10, 2});
+  CHECK(find_drives(ground_grid(scene, SceneRays(scene))).empty());
+}
+
+TEST_CASE("the unit is guessed as a power of ten") {
+  Scene scene = street();  // 200 x 13 x 50 m
+  CHECK(guess_unit_scale(scene) == 1);
+  for (const double unit : {0.01, 0.1, 10.0, 1000.0}) {
+    Scene other = scene;
+    scale_scene(other, 1 / unit);
+    CHECK(guess_unit_scale(other) == unit);
+    scale_scene(other, unit);
+    CHECK(other.bounds.sizes().isApprox(scene.bounds.sizes(), 1e-5f));
+    CHECK(other.instances[3].world_from_mesh.isApprox(scene.instances[3].world_from_mesh, 1e-5f));
+  }
+}
+
+TEST_CASE("a scaled lamp lights its scaled surroundings as before") {
+  Scene scene = street();
+  scene.lights = {{.name = "lamp", .position = {1, 2, 3}, .intensity = {1, 1, 1}},
+                  {.name = "sun", .kind = PunctualLight::Kind::directional, .intensity = {1, 1, 1}}};
+  scale_scene(scene, 10);
+  CHECK(scene.lights[0].position == Vector3f(10, 20, 30));
+  CHECK(scene.lights[0].intensity == Vector3f(100, 100, 100));
+  CHECK(scene.lights[1].intensity == Vector3f(1, 1, 1));
+}
+
+TEST_CASE("a route without headings is a lane through its points, in stretches") {
+  const std::vector<Lane> lanes = route_of("x,y,z\n0,1,0\n 100, 1 ,0\n100,1,0\r\n\n100,1,200\n", 2);
+  CHECK(lanes.size() == 10);  // 600 m
+  std::set<std::string> streets;
+  double whole_m = 0;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    streets.insert(lanes[i].street);
+    whole_m += length_m(lanes[i]);
+    CHECK(length_m(lanes[i]) == Approx(60));
+    if (i + 1 == lanes.size()) continue;
+    CHECK(lanes[i].next == std::vector<int>{static_cast<int>(i) + 1});
+    CHECK(lanes[i].points.back() == lanes[i + 1].points.front());
+  }
+  CHECK(streets.size() == 10);
+  CHECK(whole_m == Approx(600));
+  CHECK(lanes.back().points.back() == Vector3f(200, 2, 400));
+  CHECK(route_of("0,0,0\n5,0,0\n").size() == 3);
+}
+
+TEST_CASE("a route with headings is places, each heading as it says") {
+  const std::vector<Lane> lanes = route_of("0,0,0,90\n3,0,0,180\n3,0,0,0\n9,1,2,-45\n");
+  REQUIRE(lanes.size() == 4);
+  const double expected_deg[] = {90, 180, 0, -45};
+  for (int i = 0; i < 4; ++i) {
+    const Place place = place_on_lane(lanes[i], 0.05, 0, 0);
+    CHECK(std::cos(place.heading_rad - expected_deg[i] * 3.14159265 / 180) == Approx(1).margin(1e-6));
+  }
+  CHECK(place_on_lane(lanes[3], 0.05, 0, 0).position.isApprox(Vector3d(9, 1, 2), 1e-6));
+}
+
+TEST_CASE("a route that cannot be is refused by file and line") {
+  CHECK_THROWS_WITH(route_of("x,y,z\n1,2\n"), Catch::Contains("drive.csv: line 2: must be x,y,z"));
+  CHECK_THROWS_WITH(route_of("1,2,3\n1,2,nan\n"), Catch::Contains("line 2"));
+  CHECK_THROWS_WITH(route_of("1,2,3\n1,2,3,4\n"), Catch::Contains("line 2"));
+  CHECK_THROWS_WITH(route_of("1,2,3\n4,5,1e9\n"), Catch::Contains("10,000 km"));
+  CHECK_THROWS_WITH(route_of("1,2,3\n1,2,3\n"), Catch::Contains("too few points"));
+  CHECK_THROWS_WITH(route_of(""), Catch::Contains("too few points"));
+  CHECK_THROWS_WITH(read_route("/no/such.csv", 1),
+                    "/no/such.csv: cannot be read; name a route file, lines of x,y,z");
+}
