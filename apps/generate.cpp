@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "apps/drive_options.h"
 #include "apps/options.h"
 #include "apps/progress.h"
 #include "apps/scene_files.h"
@@ -16,9 +17,7 @@
 #include "distortion/render_noise.h"
 #include "renderer/render.h"
 #include "sampler/plan.h"
-#include "sampler/recipe_values.h"
 #include "sampler/rig_file.h"
-#include "scenes/drive/driven_scene.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -88,25 +87,6 @@ void generate(const Plan& plan, const DriveOptions& drive, Journal& journal, con
   progress.finish();
 }
 
-DriveOptions drive_options(const po::variables_map& values, const Recipe& recipe) {
-  DriveOptions drive{.metres_per_unit = values["scale"].as<double>(), .route = {}};
-  if (!(drive.metres_per_unit == 0 || (drive.metres_per_unit >= 1e-6 && drive.metres_per_unit <= 1e6)))
-    throw po::error("--scale: must be 0 or lie in [1e-6, 1e6]");
-  if (values.count("route") == 0) return drive;
-  drive.route = values["route"].as<std::string>();
-  if (recipe.scenes.size() != 1 || !recipe.city_seeds.empty())
-    throw po::error("--route: needs a recipe with one scene and no city");
-  return drive;
-}
-
-/// What the job's fingerprint and its first difference know of it.
-std::string drive_text(const DriveOptions& drive) {
-  std::string text =
-      "scale = " + value_text(drive.metres_per_unit) + "\nroute = " + drive.route.string() + "\n";
-  if (!drive.route.empty()) text += "route_sha256 = " + sha256(read_file(drive.route)) + "\n";
-  return text;
-}
-
 constexpr const char* usage =
     "cps generate --recipe FILE --out DIR [--KEY VALUE …]\n"
     "Makes a dataset: plans every view and lens, renders each view once, and sends it through its lenses and "
@@ -119,12 +99,8 @@ int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(), "recipe file: key = value lines")(
       "out", po::value<std::string>()->required(), "the dataset's folder")(
-      "scale", po::value<double>()->default_value(0),
-      "metres per unit of the scenes; 0: 1 where they have lanes, else guessed")(
-      "route", po::value<std::string>(),
-      "a drive through the scene, CSV: x,y,z[,heading_deg] in its units; none: its lanes, else found")(
       "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
-  options.add(recipe_options());
+  options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
   if (values.count("recipe") > 0) store_recipe_file(values["recipe"].as<std::string>(), values);
@@ -137,8 +113,8 @@ int cps_generate(const Arguments& arguments) {
   const fs::path recipe_folder =
       values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
   const Rig rig = find_rig(recipe.rig, recipe_folder);
-  const DriveOptions drive = drive_options(values, recipe);
-  const std::string wanted = to_text(recipe) + to_text(rig) + drive_text(drive);
+  const DriveOptions drive = drive_options_from(values, recipe);
+  const std::string wanted = to_text(recipe) + to_text(rig) + to_text(drive);
   const fs::path root = values["out"].as<std::string>();
   const std::vector<fs::path> scenes = scene_files(recipe, root / "scenes");
   const std::vector<std::string> hashes = scene_hashes(scenes);

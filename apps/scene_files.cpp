@@ -15,10 +15,9 @@ std::vector<fs::path> scene_files(const Recipe& recipe, const fs::path& city_fol
   for (const fs::path& file : files)
     if (!fs::is_regular_file(file))
       throw std::runtime_error("scene: " + file.string() + ": there is no such file");
-  std::vector<CityStyle> styles;
-  for (const std::string& name : recipe.city_styles) styles.push_back(city_style_from(name));
   for (std::size_t i = 0; i < recipe.city_seeds.size(); ++i) {
-    const CityOptions city{.seed = recipe.city_seeds[i], .style = styles[i % styles.size()]};
+    const CityOptions city{.seed = recipe.city_seeds[i],
+                           .style = recipe.city_styles[i % recipe.city_styles.size()]};
     const fs::path file =
         city_folder / ("city_" + to_string(city.style) + "_" + std::to_string(city.seed) + ".glb");
     if (!fs::exists(file)) {
@@ -36,8 +35,8 @@ std::vector<std::string> scene_hashes(const std::vector<fs::path>& files) {
   return hashes;
 }
 
-std::string job_fingerprint(const std::string& recipe_and_rig, const std::vector<std::string>& scene_sha256) {
-  std::string job = generator_name() + "\n" + recipe_and_rig;
+std::string job_fingerprint(const std::string& wanted, const std::vector<std::string>& scene_sha256) {
+  std::string job = generator_name() + "\n" + wanted;
   for (const std::string& hash : scene_sha256) job += hash + "\n";
   return sha256(job);
 }

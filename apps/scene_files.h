@@ -16,8 +16,8 @@ std::vector<std::filesystem::path> scene_files(const Recipe& recipe,
 /// SHA-256 of each file.
 std::vector<std::string> scene_hashes(const std::vector<std::filesystem::path>& files);
 
-/// What a job is: another recipe and rig (as text), another scene or another program gives another
-/// fingerprint.
-std::string job_fingerprint(const std::string& recipe_and_rig, const std::vector<std::string>& scene_sha256);
+/// What a job is: another recipe, rig or drive (`wanted`, as text), another scene or another program gives
+/// another fingerprint.
+std::string job_fingerprint(const std::string& wanted, const std::vector<std::string>& scene_sha256);
 
 }  // namespace cps

@@ -9,6 +9,7 @@
 
 #include "distortion/image_size.h"
 #include "sampler/lens_draw.h"
+#include "scenes/city/city_style.h"
 #include "sensor/develop.h"
 
 /// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
@@ -20,9 +21,9 @@ struct Recipe {
   std::uint64_t seed = 0;
 
   // Conditions: each scene under `suns` drawn suns.
-  std::vector<std::string> scenes;                   ///< glTF files with lanes
-  std::vector<std::uint64_t> city_seeds;             ///< procedural cities, made when needed
-  std::vector<std::string> city_styles{"european"};  ///< theirs, in turn
+  std::vector<std::string> scenes;                          ///< glTF files with lanes
+  std::vector<std::uint64_t> city_seeds;                    ///< procedural cities, made when needed
+  std::vector<CityStyle> city_styles{CityStyle::european};  ///< theirs, in turn
   int suns = 1;
   double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
   double turbidity_min = 2, turbidity_max = 6;

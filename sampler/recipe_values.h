@@ -36,6 +36,10 @@ inline void parse_value(std::string_view text, LensScheme& value) {
   value = lens_scheme_from_string(std::string(text));
 }
 
+inline void parse_value(std::string_view text, CityStyle& value) {
+  value = city_style_from(std::string(text));
+}
+
 template <typename T>
 void parse_value(std::string_view text, std::vector<T>& values) {
   values.clear();
@@ -64,6 +68,10 @@ inline std::string value_text(const ImageSize& size) {
 
 inline std::string value_text(LensScheme scheme) {
   return to_string(scheme);
+}
+
+inline std::string value_text(CityStyle style) {
+  return to_string(style);
 }
 
 template <typename T>

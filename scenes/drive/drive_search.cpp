@@ -29,9 +29,8 @@ class Taken {
  public:
   explicit Taken(const GroundGrid& grid) : grid_(grid), cells_(grid.height.size(), 0) {}
   bool contains(const Eigen::Vector2d& point) const {
-    const Eigen::Vector2d at = (point - grid_.corner) / grid_.cell_m;
-    const int x = static_cast<int>(std::lround(at.x())), z = static_cast<int>(std::lround(at.y()));
-    return x < 0 || z < 0 || x >= grid_.nx || z >= grid_.nz || cells_[grid_.index(x, z)];
+    const int cell = grid_.cell_at(point);
+    return cell < 0 || cells_[cell];
   }
   void add(const Eigen::Vector2d& point) {
     const int reach = static_cast<int>(std::ceil(apart_m / grid_.cell_m));

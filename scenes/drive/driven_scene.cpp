@@ -33,14 +33,13 @@ std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& 
   return drives;
 }
 
-std::string note_of(const DrivenScene& driven, const std::filesystem::path& file, bool is_guessed) {
-  if (driven.drive == "lanes" && driven.metres_per_unit == 1) return "";
+std::string note_of(const std::filesystem::path& file, double metres_per_unit, bool is_guessed,
+                    const std::vector<Lane>& lanes, const char* lanes_are) {
   double driven_m = 0;
-  for (const Lane& lane : driven.scene.lanes) driven_m += length_m(lane);
+  for (const Lane& lane : lanes) driven_m += length_m(lane);
   char text[160];
-  std::snprintf(text, sizeof text, ": %g m per unit%s, %zu %s, %.0f m", driven.metres_per_unit,
-                is_guessed ? " (guessed)" : "", driven.scene.lanes.size(),
-                driven.drive == "found" ? "drives found" : "lanes", driven_m);
+  std::snprintf(text, sizeof text, ": %g m per unit%s, %zu %s, %.0f m", metres_per_unit,
+                is_guessed ? " (guessed)" : "", lanes.size(), lanes_are, driven_m);
   return file.filename().string() + text;
 }
 
@@ -53,19 +52,20 @@ Scene load_scaled_scene(const std::filesystem::path& file, const DriveOptions& o
 }
 
 DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOptions& options) {
-  DrivenScene driven;
-  driven.scene = import_gltf(file);
-  const bool is_guessed = options.metres_per_unit == 0 && driven.scene.lanes.empty();
-  driven.metres_per_unit = metres_per_unit(driven.scene, options);
-  scale_scene(driven.scene, driven.metres_per_unit);
+  DrivenScene driven{.scene = import_gltf(file), .note = {}};
+  Scene& scene = driven.scene;
+  const bool has_lanes = !scene.lanes.empty();
+  const double scale = metres_per_unit(scene, options);
+  scale_scene(scene, scale);
+  const char* lanes_are = "lanes";
   if (!options.route.empty()) {
-    driven.scene.lanes = read_route(options.route, driven.metres_per_unit);
-    driven.drive = "route";
-  } else if (driven.scene.lanes.empty()) {
-    driven.scene.lanes = found_drives(driven.scene, file);
-    driven.drive = "found";
+    scene.lanes = read_route(options.route, scale);
+  } else if (!has_lanes) {
+    scene.lanes = found_drives(scene, file);
+    lanes_are = "drives found";
   }
-  driven.note = note_of(driven, file, is_guessed);
+  if (!has_lanes || !options.route.empty() || scale != 1)
+    driven.note = note_of(file, scale, options.metres_per_unit == 0 && !has_lanes, scene.lanes, lanes_are);
   return driven;
 }
 

@@ -13,13 +13,11 @@ struct DriveOptions {
   std::filesystem::path route;  ///< a CSV file with the drive (route_file.h); none: its lanes, else found
 };
 
-/// A scene in metres with lanes, and how it came by them.
+/// A scene in metres with lanes.
 struct DrivenScene {
   Scene scene;
-  double metres_per_unit = 1;
-  std::string drive = "lanes";  ///< the file's own lanes, a route file, or found
-  /// For people: `littlest.glb: 0.01 m per unit (guessed), 12 drives found, 345 m`. Empty for a scene that
-  /// came with lanes in metres.
+  /// How it came by them, for people: `littlest.glb: 0.01 m per unit (guessed), 12 drives found, 345 m`.
+  /// Empty for a scene that came with lanes in metres.
   std::string note;
 };
 

@@ -109,22 +109,22 @@ void measure_room(GroundGrid& grid, const std::vector<std::uint8_t>& in_piece) {
     for (int x = grid.nx - 2; x > 0; --x) relax(x, z, -1);
 }
 
-int cell_at(const GroundGrid& grid, const Eigen::Vector2d& point) {
-  const Eigen::Vector2d at = (point - grid.corner) / grid.cell_m;
-  const double x = std::round(at.x()), z = std::round(at.y());
-  if (!(x >= 0 && x < grid.nx && z >= 0 && z < grid.nz)) return -1;
-  return grid.index(static_cast<int>(x), static_cast<int>(z));
-}
-
 }  // namespace
 
+int GroundGrid::cell_at(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d at = (point - corner) / cell_m;
+  const double x = std::round(at.x()), z = std::round(at.y());
+  if (!(x >= 0 && x < nx && z >= 0 && z < nz)) return -1;
+  return index(static_cast<int>(x), static_cast<int>(z));
+}
+
 double GroundGrid::room_at(const Eigen::Vector2d& point) const {
-  const int cell = cell_at(*this, point);
+  const int cell = cell_at(point);
   return cell < 0 ? 0 : room_m[cell];
 }
 
 Eigen::Vector3d GroundGrid::ground_at(const Eigen::Vector2d& point) const {
-  const int cell = cell_at(*this, point);
+  const int cell = cell_at(point);
   return {point.x(), cell < 0 ? 0 : height[cell], point.y()};
 }
 

@@ -20,6 +20,8 @@ struct GroundGrid {
   double area_m2 = 0;                     ///< of that piece
 
   int index(int x, int z) const { return z * nx + x; }
+  /// The cell that a point (x, z) is nearest to; −1 beyond the grid.
+  int cell_at(const Eigen::Vector2d& point) const;
   /// Room at a point, 0 beyond the grid.
   double room_at(const Eigen::Vector2d& point) const;
   /// The point on the ground (world).

@@ -5,16 +5,16 @@
 #include "distortion/crop.h"
 #include "distortion/render_noise.h"
 #include "random/counter_hash.h"
+#include "tests/distortion/barrel.h"
 
 using namespace cps;
 
 namespace {
 
-/// KITTI's camera 3 in its base frame: it enlarges the middle and shrinks the corners.
+/// A lens that enlarges the middle and shrinks the corners, and what is needed to warp through it.
 struct Barrel {
   Pinhole base = pinhole_from_hfov(200, 120, radians(90));
-  Distortion lens =
-      rescaled({-0.512, 0.354, -0.150, 0.002, -0.001}, 1 / (0.5 * frame_on_plane(base).diagonal().norm()));
+  Distortion lens = barrel(base);
   WarpOptions options{.box = frame_on_plane(base)};
   Crop crop = border_free_crop(lens, base, {base.cx, base.cy});
   Pinhole master = master_camera(base, options, crop.certificate.min_eigenvalue);

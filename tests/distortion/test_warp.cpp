@@ -12,18 +12,13 @@
 #include "distortion/inverse.h"
 #include "distortion/warp.h"
 #include "tests/distortion/analytic_scene.h"
+#include "tests/distortion/barrel.h"
 #include "tests/distortion/dense_rays.h"
 #include "tests/distortion/random_lens.h"
 
 using namespace cps;
 
 namespace {
-
-/// KITTI's camera 3 in its base frame, scaled by the half diagonal: a strong, ordinary barrel.
-Distortion barrel(const Pinhole& base) {
-  const Distortion scaled{-0.512, 0.354, -0.150, 0.002, -0.001};
-  return rescaled(scaled, 1 / (0.5 * frame_on_plane(base).diagonal().norm()));
-}
 
 /// Rings whose frequency grows outwards, up to `highest` cycles per pixel of the base at its corner.
 AnalyticScene zone_plate(const Pinhole& base, double highest) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace cps {
 namespace {
@@ -29,7 +31,7 @@ struct ProbeNetwork : torch::nn::Module {
   torch::Tensor forward(const torch::Tensor& images) { return head->forward(features->forward(images)); }
 };
 
-/// [n, 1, h, w], each picture about its own mean, in 8-bit steps over 8.
+/// [n, 1, h, w], 8 bit.
 torch::Tensor image_tensor(const WallPictures& pictures) {
   const torch::Tensor bytes =
       torch::from_blob(const_cast<std::uint8_t*>(pictures.pixels.data()),
@@ -37,6 +39,7 @@ torch::Tensor image_tensor(const WallPictures& pictures) {
   return bytes.clone();
 }
 
+/// Each picture about its own mean, in units of eight 8-bit steps.
 torch::Tensor normalised(const torch::Tensor& bytes) {
   const torch::Tensor values = bytes.to(torch::kFloat);
   return (values - values.mean({1, 2, 3}, true)) / 8;
@@ -84,7 +87,7 @@ std::array<Guess, secret_count> probe(const WallPictures& train, const WallPictu
       const double progress = double(step) / double(steps);
       for (auto& group : optimiser.param_groups())
         static_cast<torch::optim::AdamWOptions&>(group.options())
-            .lr(1e-3 * (1 + std::cos(3.14159265 * progress)));
+            .lr(1e-3 * (1 + std::cos(std::numbers::pi * progress)));
       optimiser.zero_grad();
       const torch::Tensor guess = network.forward(normalised(images.index_select(0, chosen)));
       torch::mse_loss(guess, targets.index_select(0, chosen)).backward();

@@ -23,7 +23,7 @@ struct Photograph {
   Stream noise;
 };
 
-/// Developed without noise at the master's exposure, then looked up between four pixels of 8 bit.
+/// An 8-bit picture of the base's size looked up between four of its pixels, and rounded again.
 OIIO::ImageBuf bilinear(const OIIO::ImageBuf& picture, const Pinhole& source, const DrawnLens& lens) {
   OIIO::ImageBuf image(OIIO::ImageSpec(width_px, height_px, 3, OIIO::TypeUInt8));
   const auto tile = std::make_unique<InverseMapTile>();

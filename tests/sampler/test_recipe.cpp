@@ -37,7 +37,7 @@ TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   CHECK(recipe.seed == 18446744073709551615ull);
   CHECK(recipe.scenes == std::vector<std::string>{"a.glb", "b/c.gltf"});
   CHECK(recipe.city_seeds == std::vector<std::uint64_t>{0, 7});
-  CHECK(recipe.city_styles == std::vector<std::string>{"suburb", "mixed"});
+  CHECK(recipe.city_styles == std::vector{CityStyle::suburb, CityStyle::mixed});
   REQUIRE(recipe.sizes.size() == 2);
   CHECK(recipe.sizes[0].width == 1392);
   CHECK(recipe.sizes[0].height == 512);
@@ -72,6 +72,7 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"samples = many", "samples = many: is not a whole number"},
       {"samples = 0", "samples: must be even, in [2, 65536]"},
       {"samples = 3", "samples: must be even, in [2, 65536]"},
+      {"city_style = village", "city_style = village: city style: village is none; choose one of european"},
       {"lenses = 3.5", "lenses"},
       {"lenses = -1", "lenses: must lie in"},
       {"seed = -1", "seed"},

@@ -7,6 +7,7 @@
 #include "scenes/drive/route_file.h"
 #include "scenes/drive/unit_scale.h"
 #include "scenes/routes.h"
+#include "tests/scenes/box.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;
@@ -14,16 +15,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 namespace {
-
-/// A box with outward faces, its corners at ±1.
-Mesh box() {
-  Mesh mesh;
-  for (int i = 0; i < 8; ++i)
-    mesh.positions.emplace_back(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
-  mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
-  return mesh;
-}
 
 void add_box(Scene& scene, const Vector3f& low, const Vector3f& high) {
   Instance instance;
