@@ -58,6 +58,16 @@ TEST_CASE("the ground between houses is found, and what is below them is not par
   CHECK(ground.area_m2 == Approx(200 * 10).epsilon(0.15));
 }
 
+TEST_CASE("a car passes below a bridge, but not below a plank") {
+  for (const float height : {1.5f, 4.0f}) {
+    Scene scene = street();
+    add_box(scene, {-5, height, -3}, {5, height + 0.3f, 3});
+    const SceneRays rays(scene);
+    INFO(height);
+    CHECK((ground_grid(scene, rays).room_at({0, 0}) > 1) == (height > 2.2f));
+  }
+}
+
 TEST_CASE("drives keep clear of the walls and of one another") {
   const Scene scene = street();
   const SceneRays rays(scene);
