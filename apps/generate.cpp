@@ -18,6 +18,8 @@
 #include "renderer/render.h"
 #include "sampler/plan.h"
 #include "sampler/rig_file.h"
+#include "scenes/drive/unit_scale.h"
+#include "scenes/gltf_import.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -65,7 +67,13 @@ ViewRecord make_view(const Plan& plan, std::int64_t index, const RenderScene& sc
   return record;
 }
 
-void generate(const Plan& plan, const DriveOptions& drive, Journal& journal, const fs::path& root) {
+Scene load_scene(const PlannedScene& planned) {
+  Scene scene = import_gltf(planned.file);
+  scale_scene(scene, planned.metres_per_unit);
+  return scene;
+}
+
+void generate(const Plan& plan, Journal& journal, const fs::path& root) {
   for (const PlannedGroup& group : plan.groups)
     write_json(root / group.folder / "calibration.json", to_json(group_label(plan, group)));
   Progress progress("views", static_cast<std::int64_t>(journal.finished().size()),
@@ -76,13 +84,13 @@ void generate(const Plan& plan, const DriveOptions& drive, Journal& journal, con
     if (journal.finished().contains(v)) continue;
     const PlannedView& view = plan.views[v];
     const PlannedCondition& condition = plan.conditions[view.condition];
-    const fs::path& file = plan.scenes[condition.scene].file;
+    const PlannedScene& place = plan.scenes[condition.scene];
     if (loaded != view.condition) {
-      scene = build_render_scene(load_scaled_scene(file, drive), condition.daylight);
+      scene = build_render_scene(load_scene(place), condition.light.daylight);
       loaded = view.condition;
     }
     journal.append(make_view(plan, v, *scene, root));
-    progress.advance(1, file.filename().string() + " " + plan.sets[view.set].folder);
+    progress.advance(1, place.file.filename().string() + " " + plan.sets[view.set].folder);
   }
   progress.finish();
 }
@@ -116,7 +124,8 @@ int cps_generate(const Arguments& arguments) {
   const DriveOptions drive = drive_options_from(values, recipe);
   const std::string wanted = to_text(recipe) + to_text(rig) + to_text(drive);
   const fs::path root = values["out"].as<std::string>();
-  const std::vector<fs::path> scenes = scene_files(recipe, root / "scenes");
+  const std::vector<PlannedScene> scenes = plan_scenes(recipe, root / "scenes");
+  make_scene_files(scenes);
   const std::vector<std::string> hashes = scene_hashes(scenes);
   const Job job{.fingerprint = job_fingerprint(wanted, hashes), .recipe_text = wanted};
   if (is_finished(root)) {
@@ -127,12 +136,12 @@ int cps_generate(const Arguments& arguments) {
   const Plan plan = make_plan(recipe, rig, scenes, [&](const fs::path& file) {
     DrivenScene driven = load_driven_scene(file, drive);
     if (!driven.note.empty()) std::cout << driven.note << "\n";
-    return std::move(driven.scene);
+    return driven;
   });
   Journal journal(root, job);
   std::cout << root.string() << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
             << image_count(plan) << " images; " << plan.places.brief() << "\n";
-  generate(plan, drive, journal, root);
+  generate(plan, journal, root);
   finish_dataset(root, plan, journal.finished(), hashes);
   std::cout << root.string() << ": finished\n";
   return 0;

@@ -1,20 +1,18 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "sampler/recipe.h"
+#include "sampler/scene_plan.h"
 
 namespace cps {
 
-/// The recipe's scenes as files, then its procedural cities as files in `city_folder`, which are made here if
-/// they are not there yet. Throws std::runtime_error when a scene is missing.
-std::vector<std::filesystem::path> scene_files(const Recipe& recipe,
-                                               const std::filesystem::path& city_folder);
+/// Makes the files of procedural cities that are not there yet. Throws std::runtime_error when another
+/// scene's file is missing.
+void make_scene_files(const std::vector<PlannedScene>& scenes);
 
 /// SHA-256 of each file.
-std::vector<std::string> scene_hashes(const std::vector<std::filesystem::path>& files);
+std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes);
 
 /// What a job is: another recipe, rig or drive (`wanted`, as text), another scene or another program gives
 /// another fingerprint.

@@ -29,9 +29,26 @@ Json conditions_json(const Plan& plan) {
   Json json = Json::array();
   for (const PlannedCondition& condition : plan.conditions)
     json.push_back({{"scene", plan.scenes[condition.scene].file.filename().string()},
-                    {"sun_elevation_deg", condition.daylight.sun_elevation_deg},
-                    {"sun_azimuth_deg", condition.daylight.sun_azimuth_deg},
-                    {"turbidity", condition.daylight.turbidity}});
+                    {"date", date_text(condition.light.moment)},
+                    {"time_utc", time_text(condition.light.moment)},
+                    {"weather", to_string(condition.light.weather)},
+                    {"sun_elevation_deg", condition.light.daylight.sun_elevation_deg},
+                    {"sun_azimuth_deg", condition.light.daylight.sun_azimuth_deg},
+                    {"turbidity", condition.light.daylight.turbidity}});
+  return json;
+}
+
+Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
+  Json json = Json::array();
+  for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
+    const PlannedScene& scene = plan.scenes[s];
+    Json entry = {{"file", scene.file.filename().string()}};
+    if (scene.city) entry["city"] = {{"style", to_string(scene.city->style)}, {"seed", scene.city->seed}};
+    entry["metres_per_unit"] = scene.metres_per_unit;
+    entry["credits"] = scene.credits;
+    entry["sha256"] = sha256[s];
+    json.push_back(entry);
+  }
   return json;
 }
 
@@ -78,7 +95,7 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     write_file(root / plan.groups[g].folder / "frames.csv", frames_csv(frames_of_group[g]));
   }
 
-  Json splits, scene_list = Json::array();
+  Json splits;
   for (Part part : parts) {
     const auto p = static_cast<std::size_t>(part);
     const std::string list = "splits/" + to_string(part) + ".txt";
@@ -86,17 +103,13 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     splits[to_string(part)] = {
         {"images", counts[p]}, {"list", list}, {"pixels_sha256", sha256(pixel_lines[p])}};
   }
-  for (std::size_t s = 0; s < plan.scenes.size(); ++s)
-    scene_list.push_back({{"file", plan.scenes[s].file.filename().string()},
-                          {"credits", plan.scenes[s].credits},
-                          {"sha256", scene_sha256[s]}});
   write_json(root / "dataset.json", {{"schema", label_schema},
                                      {"name", plan.recipe.name},
                                      {"generator", generator_name()},
                                      {"seed", plan.recipe.seed},
                                      {"recipe", recipe_json(plan.recipe)},
                                      {"rig", rig_json(plan.rig)},
-                                     {"scenes", scene_list},
+                                     {"scenes", scenes_json(plan, scene_sha256)},
                                      {"conditions", conditions_json(plan)},
                                      {"sets", plan.sets.size()},
                                      {"groups", plan.groups.size()},

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "distortion/pinhole.h"
+#include "sampler/lane_change.h"
 #include "sampler/splits.h"
 #include "scenes/wheels.h"
 
@@ -20,7 +21,7 @@ constexpr double blind_end_m = 3;
 constexpr double other_part_m = 10;
 
 /// What one attempt draws, by index into the attempt's stream.
-enum Drawn : std::uint64_t { along, lateral, heading };
+enum Drawn : std::uint64_t { along, lateral, heading, lane_change };
 /// And for each camera, from a stream of its own.
 enum DrawnMount : std::uint64_t { yaw, pitch, roll, forward, left, up };
 
@@ -138,11 +139,14 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
     while (chosen + 1 < lanes.size() && distance_m > scene.usable[lanes[chosen]].length_m())
       distance_m -= scene.usable[lanes[chosen++]].length_m();
     const Lane& lane = scene.lanes[lanes[chosen]];
+    distance_m += scene.usable[lanes[chosen]].from_m;
     DrawnPlace drawn{.street = lane.street, .place = {}, .cameras = {}, .tally = {}};
-    drawn.place =
-        on_wheels(scene.rays, place_on_lane(lane, scene.usable[lanes[chosen]].from_m + distance_m,
-                                            recipe.lateral_m * random_normal(draw, lateral),
-                                            radians(recipe.heading_deg) * random_normal(draw, heading)));
+    LaneOffset offset{.lateral_m = recipe.lateral_m * random_normal(draw, lateral),
+                      .yaw_rad = radians(recipe.heading_deg) * random_normal(draw, heading)};
+    if (random_uniform(draw, lane_change) < recipe.lane_change_share)
+      offset +=
+          draw_lane_change(scene.lanes, lanes[chosen], distance_m, make_stream(draw.key, "lane change"));
+    drawn.place = on_wheels(scene.rays, place_on_lane(lane, distance_m, offset.lateral_m, offset.yaw_rad));
     for (std::size_t c = 0; c < rig.cameras.size(); ++c)
       drawn.cameras.push_back(
           with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)));

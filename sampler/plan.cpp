@@ -14,14 +14,9 @@ namespace {
 std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) {
   std::vector<PlannedCondition> conditions;
   for (int scene = 0; scene < scenes; ++scene)
-    for (int sun = 0; sun < recipe.suns; ++sun) {
+    for (int i = 0; i < recipe.conditions_per_scene; ++i) {
       const Stream stream = substream(make_stream(recipe.seed, "condition"), conditions.size());
-      conditions.push_back(
-          {.scene = scene,
-           .daylight = {.sun_elevation_deg = random_uniform(stream, 0, recipe.sun_elevation_min_deg,
-                                                            recipe.sun_elevation_max_deg),
-                        .sun_azimuth_deg = random_uniform(stream, 1, 0, 360),
-                        .turbidity = random_uniform(stream, 2, recipe.turbidity_min, recipe.turbidity_max)}});
+      conditions.push_back({.scene = scene, .light = draw_light(recipe.light, stream)});
     }
   return conditions;
 }
@@ -76,13 +71,14 @@ void plan_views_of_set(Plan& plan, int set) {
 
 /// Draws the places of all views, one scene in memory at a time. `plan.views` is sorted by condition, and the
 /// conditions of a scene stand together.
-void plan_places(Plan& plan, const std::function<Scene(const std::filesystem::path&)>& load) {
+void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesystem::path&)>& load) {
   std::size_t v = 0;
   while (v < plan.views.size()) {
     const int s = plan.conditions[plan.views[v].condition].scene;
-    const Scene whole = load(plan.scenes[s].file);
-    plan.scenes[s].credits = whole.credits;
-    const DrivableScene scene = drivable_scene(whole, plan.scenes[s].file.string(), plan.recipe,
+    const DrivenScene driven = load(plan.scenes[s].file);
+    plan.scenes[s].metres_per_unit = driven.metres_per_unit;
+    plan.scenes[s].credits = driven.scene.credits;
+    const DrivableScene scene = drivable_scene(driven.scene, plan.scenes[s].file.string(), plan.recipe,
                                                substream(make_stream(plan.recipe.seed, "streets"), s));
     DrawnPlace drawn;
     for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
@@ -110,13 +106,13 @@ std::string image_name(const PlannedView& view) {
   return fmt::format("{:06}.png", view.index);
 }
 
-Plan make_plan(const Recipe& recipe, const Rig& rig, const std::vector<std::filesystem::path>& scene_files,
-               const std::function<Scene(const std::filesystem::path&)>& load) {
+Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
+               const std::function<DrivenScene(const std::filesystem::path&)>& load) {
   Plan plan;
   plan.recipe = recipe;
   plan.rig = rig;
-  for (const std::filesystem::path& file : scene_files) plan.scenes.push_back({.file = file, .credits = {}});
-  plan.conditions = plan_conditions(recipe, static_cast<int>(scene_files.size()));
+  plan.scenes = std::move(scenes);
+  plan.conditions = plan_conditions(recipe, static_cast<int>(plan.scenes.size()));
   plan.sets = plan_sets(recipe);
   for (int set = 0; set < static_cast<int>(plan.sets.size()); ++set) plan_views_of_set(plan, set);
   std::stable_sort(plan.views.begin(), plan.views.end(),

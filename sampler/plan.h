@@ -9,23 +9,18 @@
 #include "sampler/part.h"
 #include "sampler/place_draw.h"
 #include "sampler/recipe.h"
-#include "scenes/daylight.h"
+#include "sampler/scene_plan.h"
+#include "scenes/drive/driven_scene.h"
 #include "scenes/rig.h"
-#include "scenes/scene.h"
 
 /// A recipe counted out: every condition, set, group and view, before anything is rendered. The plan is a
 /// pure function of the recipe and the scenes' geometry.
 namespace cps {
 
-struct PlannedScene {
-  std::filesystem::path file;
-  std::string credits;  ///< as the file states them
-};
-
 /// Scene and light. Within one only pose and camera vary, so it is loaded once.
 struct PlannedCondition {
   int scene = 0;
-  Daylight daylight;
+  DrawnLight light;
 };
 
 /// One size at one H-FOV.
@@ -78,10 +73,10 @@ std::int64_t image_count(const Plan& plan);
 /// `000017.png`
 std::string image_name(const PlannedView& view);
 
-/// Expands a valid recipe for the cars' rig. `scene_files` are its scenes and cities as files; `load` imports
-/// one (one is held at a time). Throws std::runtime_error when a scene has too few streets for three parts or
-/// no clear places.
-Plan make_plan(const Recipe& recipe, const Rig& rig, const std::vector<std::filesystem::path>& scene_files,
-               const std::function<Scene(const std::filesystem::path&)>& load);
+/// Expands a valid recipe for the cars' rig. `scenes` are its scenes and cities, whose files exist; `load`
+/// imports one (one is held at a time). Throws std::runtime_error when a scene has too few streets for three
+/// parts or no clear places.
+Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
+               const std::function<DrivenScene(const std::filesystem::path&)>& load);
 
 }  // namespace cps

@@ -35,14 +35,11 @@ bool Recipe::is_valid(std::string* why) const {
     for (double hfov : hfovs) hfovs_in_range &= is_between(hfov, 5, 165);
   const Check checks[] = {
       {!name.empty(), "name: must not be empty"},
-      {!scenes.empty() || !city_seeds.empty(), "scene, city_seed: name at least one scene or city"},
+      {!scenes.empty() || !city_seeds.empty() || cities > 0,
+       "scene, city_seed, cities: name at least one scene or city"},
+      {is_between(cities, 0, 100'000), "cities: must lie in [0, 100000]"},
       {!city_styles.empty(), "city_style: name at least one, as european"},
-      {suns >= 1, "suns: must be at least 1"},
-      {is_between(sun_elevation_min_deg, 1, 90) &&
-           is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90),
-       "sun_elevation_min_deg ≤ sun_elevation_max_deg: must lie in [1, 90]"},
-      {is_between(turbidity_min, 2, 10) && is_between(turbidity_max, turbidity_min, 10),
-       "turbidity_min ≤ turbidity_max: must lie in [2, 10]"},
+      {is_between(conditions_per_scene, 1, 100'000), "conditions_per_scene: must lie in [1, 100000]"},
       {!sizes.empty(), "size: name at least one, as 1392x512"},
       {all_sizes([](const ImageSize& s) { return s.width >= 32 && s.height >= 32; }),
        "size: width and height must be at least 32 pixels"},
@@ -58,6 +55,7 @@ bool Recipe::is_valid(std::string* why) const {
       {is_between(mount_error_m, 0, 0.5), "mount_error_m: must lie in [0, 0.5]"},
       {is_between(lateral_m, 0, 2), "lateral_m: must lie in [0, 2]"},
       {is_between(heading_deg, 0, 45), "heading_deg: must lie in [0, 45]"},
+      {is_between(lane_change_share, 0, 1), "lane_change_share: must lie in [0, 1]"},
       {is_between(clearance_m, 0, 50), "clearance_m: must lie in [0, 50]"},
       {is_between(side_clearance_m, 0, 50), "side_clearance_m: must lie in [0, 50]"},
       {is_between(lenses, 0, 10'000), "lenses: must lie in [0, 10000]"},
@@ -75,7 +73,7 @@ bool Recipe::is_valid(std::string* why) const {
       *why = check.reason;
       return false;
     }
-  return lens_options.is_valid(why) && sensor.is_valid(why);
+  return light.is_valid(why) && lens_options.is_valid(why) && sensor.is_valid(why);
 }
 
 po::options_description recipe_options() {

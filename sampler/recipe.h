@@ -9,6 +9,7 @@
 
 #include "distortion/image_size.h"
 #include "sampler/lens_draw.h"
+#include "sampler/light_draw.h"
 #include "scenes/city/city_style.h"
 #include "sensor/develop.h"
 
@@ -20,13 +21,15 @@ struct Recipe {
   std::string name = "dataset";
   std::uint64_t seed = 0;
 
-  // Conditions: each scene under `suns` drawn suns.
-  std::vector<std::string> scenes;                          ///< glTF files with lanes
+  // Scenes.
+  std::vector<std::string> scenes;                          ///< glTF files
   std::vector<std::uint64_t> city_seeds;                    ///< procedural cities, made when needed
-  std::vector<CityStyle> city_styles{CityStyle::european};  ///< theirs, in turn
-  int suns = 1;
-  double sun_elevation_min_deg = 15, sun_elevation_max_deg = 65;
-  double turbidity_min = 2, turbidity_max = 6;
+  int cities = 0;                                           ///< so many more, whose seeds are drawn
+  std::vector<CityStyle> city_styles{CityStyle::european};  ///< of all of them, in turn
+
+  // Conditions: each scene in so many lights.
+  int conditions_per_scene = 1;
+  LightOptions light;
 
   // Sets: every size at every H-FOV, which is either the bases' or the labels'.
   std::vector<ImageSize> sizes;
@@ -35,11 +38,12 @@ struct Recipe {
   int views = 0;  ///< places per set, each seen by every camera of the rig
 
   // The car.
-  std::string rig;               ///< a rig file; none: one camera, front
-  double mount_error_deg = 1.0;  ///< standard deviation of each camera's drawn yaw, pitch and roll
-  double mount_error_m = 0.01;   ///< standard deviation of its position along each axis
-  double lateral_m = 0.25;       ///< standard deviation of the car's offset from the lane's centre line
-  double heading_deg = 3.0;      ///< standard deviation of the car's heading off the lane's direction
+  std::string rig;                 ///< a rig file; none: one camera, front
+  double mount_error_deg = 1.0;    ///< standard deviation of each camera's drawn yaw, pitch and roll
+  double mount_error_m = 0.01;     ///< standard deviation of its position along each axis
+  double lateral_m = 0.25;         ///< standard deviation of the car's offset from the lane's centre line
+  double heading_deg = 3.0;        ///< standard deviation of the car's heading off the lane's direction
+  double lane_change_share = 0.1;  ///< of the places beside another lane that leads the same way
   /// A place with less free way in front of a camera is drawn again; cameras that look more than 60° off the
   /// driving direction need less, as parked cars and walls stand beside a lane.
   double clearance_m = 2.5, side_clearance_m = 0.8;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sampler/lens_keys.h"
+#include "sampler/light_keys.h"
 #include "sampler/recipe.h"
 
 namespace cps {
@@ -14,12 +15,11 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("scene", r.scenes, "glTF files with lanes, separated by commas");
   visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
-  visit("city_style", r.city_styles, "their styles, in turn, separated by commas");
-  visit("suns", r.suns, "conditions per scene: each has its own sun and haze");
-  visit("sun_elevation_min_deg", r.sun_elevation_min_deg, "lowest sun, degrees above the horizon");
-  visit("sun_elevation_max_deg", r.sun_elevation_max_deg, "highest sun");
-  visit("turbidity_min", r.turbidity_min, "clearest air: 2 very clear, 6 hazy");
-  visit("turbidity_max", r.turbidity_max, "haziest air");
+  visit("cities", r.cities, "so many more procedural cities, whose seeds are drawn");
+  visit("city_style", r.city_styles, "the cities' styles, in turn, separated by commas");
+
+  visit("conditions_per_scene", r.conditions_per_scene, "each has its own day, hour and weather");
+  for_each_light_key(r.light, visit);
 
   visit("size", r.sizes, "image sizes in pixels, as 1392x512, separated by commas");
   visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
@@ -32,6 +32,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("mount_error_m", r.mount_error_m, "standard deviation of each camera's position along each axis");
   visit("lateral_m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");
   visit("heading_deg", r.heading_deg, "standard deviation of the car's heading off its lane's");
+  visit("lane_change_share", r.lane_change_share,
+        "share of places where the car is changing lanes, if it can");
   visit("clearance_m", r.clearance_m, "free way a place must have in front of a camera");
   visit("side_clearance_m", r.side_clearance_m, "the same for cameras more than 60 degrees off ahead");
 

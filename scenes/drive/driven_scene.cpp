@@ -45,17 +45,11 @@ std::string note_of(const std::filesystem::path& file, double metres_per_unit, b
 
 }  // namespace
 
-Scene load_scaled_scene(const std::filesystem::path& file, const DriveOptions& options) {
-  Scene scene = import_gltf(file);
-  scale_scene(scene, metres_per_unit(scene, options));
-  return scene;
-}
-
 DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOptions& options) {
-  DrivenScene driven{.scene = import_gltf(file), .note = {}};
+  DrivenScene driven{.scene = import_gltf(file)};
   Scene& scene = driven.scene;
   const bool has_lanes = !scene.lanes.empty();
-  const double scale = metres_per_unit(scene, options);
+  const double scale = driven.metres_per_unit = metres_per_unit(scene, options);
   scale_scene(scene, scale);
   const char* lanes_are = "lanes";
   if (!options.route.empty()) {

@@ -19,7 +19,8 @@ namespace {
 
 std::string generate_arguments(const fs::path& scene, const fs::path& out) {
   return "generate --name t --seed 3 --scene " + scene.string() +
-         " --size 80x45 --base_hfov_deg 60,120 --views 5 --lenses 2 --suns 2 --samples 2 --out " +
+         " --size 80x45 --base_hfov_deg 60,120 --views 5 --lenses 2 --conditions_per_scene 2 --samples 2 "
+         "--out " +
          out.string();
 }
 

@@ -24,7 +24,8 @@ inline Plan small_plan() {
   recipe.base_hfov_deg = {60, 120};
   recipe.views = 6;
   recipe.lenses = 2;
-  return make_plan(recipe, Rig{}, {"plain.glb"}, [](const std::filesystem::path&) { return plain_scene(6); });
+  return make_plan(recipe, Rig{}, {{.file = "plain.glb"}},
+                   [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(6)}; });
 }
 
 /// A whole dataset whose pictures are noise: everything but the rendering.

@@ -13,7 +13,7 @@ namespace {
 Recipe small_recipe() {
   Recipe recipe;
   recipe.scenes = {"plain.glb", "plain2.glb"};
-  recipe.suns = 2;
+  recipe.conditions_per_scene = 2;
   recipe.sizes = {{96, 54}, {64, 64}};
   recipe.base_hfov_deg = {60, 110};
   recipe.views = 21;
@@ -23,8 +23,8 @@ Recipe small_recipe() {
 }
 
 Plan plan_of(const Recipe& recipe) {
-  return make_plan(recipe, Rig{}, {recipe.scenes.begin(), recipe.scenes.end()},
-                   [](const std::filesystem::path&) { return plain_scene(8); });
+  return make_plan(recipe, Rig{}, plan_scenes(recipe, "cities"),
+                   [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(8)}; });
 }
 
 }  // namespace
@@ -129,8 +129,9 @@ TEST_CASE("all cameras of a rig see one place, each through lenses of its own") 
   const Rig rig{.cameras = {{.name = "left", .position_m = {1, 0.5, 1.5}, .yaw_deg = 20},
                             {.name = "right", .position_m = {1, -0.5, 1.5}}}};
   const Recipe recipe = small_recipe();
-  const Plan plan = make_plan(recipe, rig, {"plain.glb", "plain2.glb"},
-                              [](const std::filesystem::path&) { return plain_scene(8); });
+  const Plan plan = make_plan(recipe, rig, plan_scenes(recipe, "cities"), [](const std::filesystem::path&) {
+    return DrivenScene{.scene = plain_scene(8)};
+  });
   CHECK(plan.views.size() == 2 * 4 * 21);
   std::set<std::string> folders;
   for (std::size_t v = 0; v < plan.views.size(); v += 2) {
@@ -176,8 +177,9 @@ TEST_CASE("a plan is the same every time and follows its seed") {
 TEST_CASE("scenes that cannot carry a plan are refused by name") {
   const Recipe recipe = small_recipe();
   const auto plan_on = [&](int streets) {
-    return make_plan(recipe, Rig{}, {"plain.glb"},
-                     [&](const std::filesystem::path&) { return plain_scene(streets); });
+    return make_plan(recipe, Rig{}, {{.file = "plain.glb"}}, [&](const std::filesystem::path&) {
+      return DrivenScene{.scene = plain_scene(streets)};
+    });
   };
   CHECK_THROWS_WITH(plan_on(0), Catch::Contains("plain.glb") && Catch::Contains("lanes"));
   CHECK_THROWS_WITH(plan_on(2), Catch::Contains("2 streets") && Catch::Contains("split = thesis"));
