@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "scenes/city/blocks/block_plan.h"
+#include "scenes/city/buildings/foundation.h"
 #include "scenes/city/geometry/glb_writer.h"
+#include "scenes/city/geometry/refine.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/materials.h"
 #include "scenes/city/materials/textures.h"
@@ -12,10 +14,16 @@
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/roadside/tree.h"
+#include "scenes/city/streets/cycle_tracks.h"
 #include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/junction_details.h"
+#include "scenes/city/streets/median.h"
 #include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/roundabout.h"
 #include "scenes/city/streets/street_network.h"
+#include "scenes/city/streets/terrain.h"
+#include "scenes/city/streets/tram_tracks.h"
 
 namespace cps {
 
@@ -47,10 +55,15 @@ std::string CitySummary::brief() const {
 
 namespace {
 
-void add_static(GlbWriter& writer, Mesh mesh, const std::string& name) {
+void add_static(GlbWriter& writer, Mesh mesh, const std::string& name, double level_m = 0) {
   if (mesh.empty()) return;
   mesh.name = name;
-  writer.add_node(name, writer.add_mesh(mesh));
+  writer.add_node(name, writer.add_mesh(mesh), {Vec3(0, level_m, 0)});
+}
+
+void add_ground(GlbWriter& writer, Mesh mesh, const std::string& name, const Terrain& terrain) {
+  drape(mesh, terrain);
+  add_static(writer, std::move(mesh), name);
 }
 
 WallMaterial ground_material(const Materials& m, GroundKind kind) {
@@ -67,28 +80,63 @@ WallMaterial ground_material(const Materials& m, GroundKind kind) {
   return {};
 }
 
-void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const BlockPlan& plan,
-               const Materials& materials, std::uint64_t seed) {
-  const std::string name = "block " + std::to_string(index);
-  Mesh ground = pavement(network, network.blocks[index], plan.pavement_m, materials, seed);
-  const auto weather = [stream = make_stream(seed, "weathering")](const Vec2& p) {
-    return weathering(stream, p);
-  };
-  const WallMaterial surface = ground_material(materials, plan.ground);
-  add_floor(ground.surfaces[surface.material], plan.border.points, kerb_height_m, surface.tile_m, weather);
-  for (const Pad& pad : plan.pads) {
-    const WallMaterial cover = ground_material(materials, pad.kind);
-    add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m,
-              weather);
-  }
-  add_static(writer, std::move(ground), name);
-  const Stream buildings = substream(make_stream(seed, "building"), index);
-  for (std::size_t k = 0; k < plan.buildings.size(); ++k)
-    add_static(writer, building(plan.buildings[k], materials, substream(buildings, k)),
-               name + " building " + std::to_string(k));
+void add_street(GlbWriter& writer, const StreetNetwork& network, int index, const Materials& materials,
+                const Terrain& terrain, std::uint64_t seed) {
+  const std::string& name = network.streets[index].name;
+  add_ground(writer, carriageway(network, index, materials, seed), "street " + name, terrain);
+  add_ground(writer, road_markings(network, index, materials, seed), "markings " + name, terrain);
+  add_ground(writer, cycle_tracks(network, index, materials, seed), "cycle tracks " + name, terrain);
+  add_ground(writer, median(network, index, materials, seed), "median " + name, terrain);
 }
 
-void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummary& summary) {
+void add_junction(GlbWriter& writer, const StreetNetwork& network, int index,
+                  const std::vector<DrivingLane>& lanes, const Materials& materials, const Terrain& terrain,
+                  std::uint64_t seed) {
+  const Junction& junction = network.junctions[index];
+  const std::string name = "junction " + std::to_string(index);
+  add_ground(writer, junction_floor(network, index, materials, seed), name, terrain);
+  add_ground(writer, junction_details(network, index, lanes, materials, seed), name + " details", terrain);
+  if (junction.roundabout)
+    add_ground(writer, island(*junction.roundabout, junction.position, materials), name + " island", terrain);
+}
+
+void add_building(GlbWriter& writer, const BuildingPlan& plan, const Materials& materials,
+                  const Terrain& terrain, Stream stream, const std::string& name) {
+  Building built = building(plan, materials, stream);
+  const double level_m = ground_level_m(built, plan, terrain);
+  add_foundation(built, plan, level_m, terrain, materials);
+  add_static(writer, std::move(built.mesh), name, level_m);
+}
+
+void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const BlockPlan& plan,
+               const Materials& materials, const Terrain& terrain, std::uint64_t seed) {
+  const std::string name = "block " + std::to_string(index);
+  Mesh ground = pavement(network, network.blocks[index], plan.pavement_m, materials);
+  const WallMaterial surface = ground_material(materials, plan.ground);
+  add_floor(ground.surfaces[surface.material], plan.border.points, kerb_height_m, surface.tile_m);
+  for (const Pad& pad : plan.pads) {
+    const WallMaterial cover = ground_material(materials, pad.kind);
+    add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m);
+  }
+  for (auto& [material, piece] : ground.surfaces) {
+    if (material == materials.kerb || material == materials.gutter) continue;
+    refine(piece, longest_ground_edge_m);  // something for the weathering to live on
+    shade(piece, [stream = make_stream(seed, "weathering")](const Vec2& p) { return weathering(stream, p); });
+  }
+  add_ground(writer, std::move(ground), name, terrain);
+  const Stream buildings = substream(make_stream(seed, "building"), index);
+  for (std::size_t k = 0; k < plan.buildings.size(); ++k)
+    add_building(writer, plan.buildings[k], materials, terrain, substream(buildings, k),
+                 name + " building " + std::to_string(k));
+}
+
+/// What has wheels or lies flat leans with the slope; everything else stands upright.
+bool leans(ModelKind kind) {
+  return kind == ModelKind::car || kind == ModelKind::goods;
+}
+
+void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, const Terrain& terrain,
+           CitySummary& summary) {
   for (const PlacedModel& p : placed) {
     switch (p.model->kind) {
       case ModelKind::tree:
@@ -109,18 +157,26 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, CitySummar
         ++summary.furniture;
         break;
     }
-    writer.add_node(p.model->name, p.model->mesh, {lift(p.position, p.height), p.heading_rad, p.scale});
+    const Vec2 slope = terrain.slope(p.position);
+    const Vec3 up = leans(p.model->kind) ? lift(-slope, 1).normalized() : Vec3(0, 1, 0);
+    writer.add_node(p.model->name, p.model->mesh,
+                    {lift(p.position, p.height + terrain.height_m(p.position)), p.heading_rad, p.scale, up});
   }
 }
 
-nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::vector<DrivingLane>& lanes) {
+double millimetres(double x) {
+  return std::round(x * 1e3) / 1e3;
+}
+
+nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::vector<DrivingLane>& lanes,
+                                     const Terrain& terrain) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const DrivingLane& lane : lanes) {
     nlohmann::ordered_json points = nlohmann::ordered_json::array();
-    for (const Vec2& p : lane.points)
-      points.push_back({std::round(p.x() * 1e3) / 1e3, 0.0, std::round(-p.y() * 1e3) / 1e3});
+    for (const Vec3& p : on_terrain(lane.points, terrain))
+      points.push_back({millimetres(p.x()), millimetres(p.y()), millimetres(p.z())});
     list.push_back({{"street", network.streets[lane.street].name},
-                    {"width_m", std::round(lane.width_m * 1e3) / 1e3},
+                    {"width_m", millimetres(lane.width_m)},
                     {"points", std::move(points)},
                     {"next", lane.next}});
   }
@@ -132,31 +188,33 @@ nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::ve
 CitySummary write_city(const CityOptions& options, const std::filesystem::path& file) {
   if (std::string why; !options.is_valid(&why)) throw std::runtime_error("city: " + why);
   const StreetNetwork network = draw_street_network(options);
+  const Terrain terrain = draw_terrain(options);
   const Districts districts = draw_districts(options);
   GlbWriter writer;
   const Materials materials = make_materials(writer, options.seed);
   const ModelLibrary models = make_models(writer, materials, options.seed);
   CitySummary summary;
 
-  for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
-    add_static(writer, carriageway(network, s, materials, options.seed), "street " + network.streets[s].name);
-    add_static(writer, road_markings(network, s, materials, options.seed),
-               "markings " + network.streets[s].name);
-  }
+  const std::vector<DrivingLane> lanes = driving_lanes(network);
+  for (int s = 0; s < static_cast<int>(network.streets.size()); ++s)
+    add_street(writer, network, s, materials, terrain, options.seed);
+  for (const TramTrack& track : tram_tracks(network))
+    add_ground(writer, tram_rails(track, materials), "tram track " + network.streets[track.street].name,
+               terrain);
   for (int j = 0; j < static_cast<int>(network.junctions.size()); ++j)
-    add_static(writer, junction_floor(network, j, materials, options.seed), "junction " + std::to_string(j));
+    add_junction(writer, network, j, lanes, materials, terrain, options.seed);
   for (int b = 0; b < static_cast<int>(network.blocks.size()); ++b) {
     const CityCharacter& character = districts.character_at(block_middle(network, b));
     const BlockPlan plan = plan_block(network, b, character, options.seed);
-    add_block(writer, network, b, plan, materials, options.seed);
-    place(writer, furnish(network, b, plan, models, character, options), summary);
+    add_block(writer, network, b, plan, materials, terrain, options.seed);
+    place(writer, furnish(network, b, plan, models, character, options), terrain, summary);
     summary.buildings += plan.buildings.size();
   }
-  const Surroundings around = surroundings(network, materials, models, options);
+  Surroundings around = surroundings(network, materials, models, options);
+  lift_onto(around.terrain, terrain);
   add_static(writer, around.terrain, around.terrain.name);
-  place(writer, around.models, summary);
+  place(writer, around.models, terrain, summary);
 
-  const std::vector<DrivingLane> lanes = driving_lanes(network);
   for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
   summary.style = options.style;
   summary.streets = network.streets.size();
@@ -167,7 +225,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   summary.instanced_triangles = writer.instanced_triangles();
   summary.bytes =
       writer.write(file, {{"cps_city", {{"style", to_string(options.style)}, {"seed", options.seed}}},
-                          {"cps_lanes", lanes_as_json(network, lanes)}});
+                          {"cps_lanes", lanes_as_json(network, lanes, terrain)}});
   return summary;
 }
 

@@ -22,7 +22,10 @@ std::vector<Frontage> frontages(const StreetNetwork& network, const Block& block
   std::vector<Edge> edges;
   for (std::size_t i = 0; i < border.points.size(); ++i) {
     const Vec2 &a = border.points[i], &b = border.points[(i + 1) % border.points.size()];
-    if ((b - a).norm() > 0.01) edges.push_back({a, b, network.is_road(block.sides[border.side[i]])});
+    const Side& side = block.sides[border.side[i]];
+    // Nothing fronts on a roundabout's ring.
+    const bool on_ring = border.corner[i] && network.junctions[network.end(side)].roundabout;
+    if ((b - a).norm() > 0.01) edges.push_back({a, b, network.is_road(side) && !on_ring});
   }
   const auto turns = [&](std::size_t i) {  // between edge i and the next
     const Vec2 a = edges[i].to - edges[i].from,

@@ -2,7 +2,7 @@
 
 namespace cps::city {
 
-Mesh building(const BuildingPlan& plan, const Materials& materials, Stream stream) {
+Building building(const BuildingPlan& plan, const Materials& materials, Stream stream) {
   switch (plan.kind) {
     case BuildingKind::house:
       return house(plan, materials, stream);

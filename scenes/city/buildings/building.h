@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenes/city/buildings/doorway.h"
 #include "scenes/city/buildings/facade.h"
 #include "scenes/city/buildings/roof.h"
 
@@ -22,13 +23,13 @@ struct BuildingPlan {
 };
 
 /// The building with its own draw of materials, rhythm and details.
-Mesh building(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Building building(const BuildingPlan& plan, const Materials& materials, Stream stream);
 
 /// The kinds, each in a file of its own.
-Mesh house(const BuildingPlan& plan, const Materials& materials, Stream stream);
-Mesh tower(const BuildingPlan& plan, const Materials& materials, Stream stream);
-Mesh hall(const BuildingPlan& plan, const Materials& materials, Stream stream);
-Mesh garage(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Building house(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Building tower(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Building hall(const BuildingPlan& plan, const Materials& materials, Stream stream);
+Building garage(const BuildingPlan& plan, const Materials& materials, Stream stream);
 
 /// The plan of the rear wing, empty where there is none.
 Polygon rear_wing(const BuildingPlan& plan);

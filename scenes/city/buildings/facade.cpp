@@ -81,11 +81,16 @@ void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, doub
 
 }  // namespace
 
-void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFloor ground_floor,
-                bool on_street, const Materials& materials, Draws& draws) {
+std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style,
+                                  GroundFloor ground_floor, bool on_street, const Materials& materials,
+                                  Draws& draws) {
   const double width = (wall.to - wall.from).norm();
   const int bays = static_cast<int>((width - 0.6) / style.bay_m);
-  if (bays < 1) return add_blank_wall(mesh, wall, style.wall);
+  if (bays < 1) {
+    add_blank_wall(mesh, wall, style.wall);
+    return std::nullopt;
+  }
+  std::optional<Doorway> doorway;
   const WallFrame frame = make_wall_frame(wall.from, wall.to);
   for (std::size_t k = 0; k < wall.floors.size(); ++k) {
     const double floor = wall.floors[k],
@@ -99,7 +104,10 @@ void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFl
                : upper_storey(width, bays, floor, ceiling, style);
     add_pierced_wall(mesh.surfaces[material.material], frame, width, floor, ceiling, openings,
                      material.tile_m);
-    for (const Opening& o : openings) add_opening(mesh, frame, o, style, material, detail, materials, draws);
+    for (const Opening& o : openings) {
+      add_opening(mesh, frame, o, style, material, detail, materials, draws);
+      if (o.kind == Opening::Kind::door) doorway = doorway_of(frame, o);
+    }
     for (std::size_t b = 1; style.balconies && k > 0 && b + 1 < openings.size(); b += 2)
       add_balcony(mesh, frame, openings[b], floor, materials);
     if (k == 0 && ground_floor == GroundFloor::shop)
@@ -108,6 +116,7 @@ void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFl
   if (wall.top > wall.eaves)
     add_panel(mesh.surfaces[style.wall.material], frame, 0, width, wall.eaves, wall.top, 0,
               style.wall.tile_m);
+  return doorway;
 }
 
 void add_blank_wall(Mesh& mesh, const Wall& wall, const WallMaterial& material) {

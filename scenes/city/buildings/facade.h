@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "scenes/city/buildings/doorway.h"
 #include "scenes/city/draws.h"
 #include "scenes/city/materials/materials.h"
 
@@ -34,9 +37,10 @@ enum class Detail { near_street, upper_storey, plain };
 enum class GroundFloor { windows, entrance, shop };
 
 /// Adds the wall with its openings; of walls on a street the upper storeys have less detail than the lower
-/// ones.
-void add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style, GroundFloor ground_floor,
-                bool on_street, const Materials& materials, Draws& draws);
+/// ones. Returns its doorway where it has one.
+std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyle& style,
+                                  GroundFloor ground_floor, bool on_street, const Materials& materials,
+                                  Draws& draws);
 
 /// The same without openings.
 void add_blank_wall(Mesh& mesh, const Wall& wall, const WallMaterial& material);

@@ -66,8 +66,9 @@ std::vector<Opening> strip_openings(double width, double bottom, double top) {
   return openings;
 }
 
-void add_hall_wall(Mesh& mesh, const Vec2& from, const Vec2& to, const HallStyle& s, double top,
+void add_hall_wall(Building& result, const Vec2& from, const Vec2& to, const HallStyle& s, double top,
                    bool with_gates, const Materials& m, Draws& draws) {
+  Mesh& mesh = result.mesh;
   const WallFrame frame = make_wall_frame(from, to);
   const double width = (to - from).norm(), band = kerb_height_m + gate_height_m + 0.4;
   Surface& wall = mesh.surfaces[s.wall.material];
@@ -76,6 +77,7 @@ void add_hall_wall(Mesh& mesh, const Vec2& from, const Vec2& to, const HallStyle
   double u = 0;  // the plinth, between the gates
   Surface& plinth = mesh.surfaces[m.concrete[0].material];
   for (const Opening& o : ground) {
+    result.doorways.push_back(doorway_of(frame, o));
     if (o.kind == Opening::Kind::gate)
       add_gate(mesh, frame, o, s.gate, m);
     else
@@ -104,14 +106,15 @@ void add_company_sign(Mesh& mesh, const Vec2& from, const Vec2& to, const HallSt
 
 }  // namespace
 
-Mesh hall(const BuildingPlan& plan, const Materials& m, Stream stream) {
-  Mesh mesh;
+Building hall(const BuildingPlan& plan, const Materials& m, Stream stream) {
+  Building result;
+  Mesh& mesh = result.mesh;
   Draws draws{stream}, openings{substream(stream, 1)}, details{substream(stream, 2)};
   HallStyle style = draw_style(m, draws);
   const bool flat = plan.roof == RoofKind::flat;
   const Polygon ring = plan.footprint.polygon();
   for (std::size_t i = 0; i < ring.size(); ++i)
-    add_hall_wall(mesh, ring[i], ring[(i + 1) % ring.size()], style, style.eaves + (flat ? parapet_m : 0),
+    add_hall_wall(result, ring[i], ring[(i + 1) % ring.size()], style, style.eaves + (flat ? parapet_m : 0),
                   i == 0 || openings.chance(0.3), m, openings);
   add_company_sign(mesh, ring[0], ring[1], style, m, draws);
   RoofPlan roof;
@@ -128,11 +131,12 @@ Mesh hall(const BuildingPlan& plan, const Materials& m, Stream stream) {
     add_tube(mesh.surfaces[draws.chance(0.5) ? m.brick[0].material : m.roof_metal], lift(at, style.eaves - 1),
              lift(at, style.eaves + draws.uniform(4, 14)), 0.7, 0.5, 16, true, brick_tile_m);
   }
-  return mesh;
+  return result;
 }
 
-Mesh garage(const BuildingPlan& plan, const Materials& m, Stream stream) {
-  Mesh mesh;
+Building garage(const BuildingPlan& plan, const Materials& m, Stream stream) {
+  Building result;
+  Mesh& mesh = result.mesh;
   Draws draws{stream};
   const WallMaterial wall = draws.chance(0.8) ? draws.one_of(m.plaster) : draws.one_of(m.brick);
   const MaterialId leaf = draws.one_of(m.gate);
@@ -149,7 +153,10 @@ Mesh garage(const BuildingPlan& plan, const Materials& m, Stream stream) {
       gates.push_back({Opening::Kind::gate, middle - 1.2, middle + 1.2, kerb_height_m, kerb_height_m + 2.1});
     }
     add_pierced_wall(mesh.surfaces[wall.material], frame, width, kerb_height_m, top, gates, wall.tile_m);
-    for (const Opening& o : gates) add_gate(mesh, frame, o, leaf, m);
+    for (const Opening& o : gates) {
+      add_gate(mesh, frame, o, leaf, m);
+      result.doorways.push_back(doorway_of(frame, o));
+    }
   }
   RoofPlan roof;
   roof.kind = plan.roof;
@@ -159,7 +166,7 @@ Mesh garage(const BuildingPlan& plan, const Materials& m, Stream stream) {
   roof.cover = m.roof_tiles;
   roof.lived_under = false;
   add_roof(mesh, plan.gable_to_street ? turned(plan.footprint) : plan.footprint, eaves, roof, m, draws);
-  return mesh;
+  return result;
 }
 
 }  // namespace cps::city

@@ -88,8 +88,9 @@ void add_mouldings(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const
   add_tube(mesh.surfaces[m.roof_metal], lift(pipe, kerb_height_m), lift(pipe, h.eaves - 0.1), 0.05, 0.05, 8);
 }
 
-void add_walls(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const FacadeStyle& style,
+void add_walls(Building& result, const BuildingPlan& plan, const Heights& h, const FacadeStyle& style,
                const Materials& m, Draws& draws) {
+  Mesh& mesh = result.mesh;
   const Footprint& f = plan.footprint;
   const double above = plan.roof == RoofKind::flat ? parapet_m : 0;
   const std::size_t last = f.front.size() - 1;
@@ -98,7 +99,9 @@ void add_walls(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const Fac
     const GroundFloor ground = plan.shops       ? GroundFloor::shop
                                : i == door_wall ? GroundFloor::entrance
                                                 : GroundFloor::windows;
-    add_facade(mesh, make_wall(f.front[i], f.front[i + 1], h, above), style, ground, !plan.distant, m, draws);
+    const std::optional<Doorway> doorway = add_facade(mesh, make_wall(f.front[i], f.front[i + 1], h, above),
+                                                      style, ground, !plan.distant, m, draws);
+    if (doorway) result.doorways.push_back(*doorway);
   }
   FacadeStyle quiet = style;
   quiet.surrounds = quiet.balconies = false;
@@ -118,13 +121,14 @@ void add_walls(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const Fac
 
 }  // namespace
 
-Mesh house(const BuildingPlan& plan, const Materials& m, Stream stream) {
-  Mesh mesh;
+Building house(const BuildingPlan& plan, const Materials& m, Stream stream) {
+  Building result;
+  Mesh& mesh = result.mesh;
   Draws draws{stream};
   const Heights heights = draw_heights(plan, draws);
   const FacadeStyle style = draw_style(plan, m, draws);
   Draws openings{substream(stream, 1)}, details{substream(stream, 2)};
-  add_walls(mesh, plan, heights, style, m, openings);
+  add_walls(result, plan, heights, style, m, openings);
   add_mouldings(mesh, plan, heights, m, details);
   const RoofPlan roof{plan.roof,         draws.uniform(33, 48),
                       !plan.party_start, !plan.party_end,
@@ -142,7 +146,7 @@ Mesh house(const BuildingPlan& plan, const Materials& m, Stream stream) {
     add_roof(mesh, make_footprint({wing[0], wing[1]}, plan.rear_wing_m), low.eaves - 0.01,
              {RoofKind::flat, 0, true, true, style.wall, false, m.roof_tiles}, m, details);
   }
-  return mesh;
+  return result;
 }
 
 }  // namespace cps::city

@@ -9,6 +9,11 @@ WallFrame make_wall_frame(const Vec2& from, const Vec2& to) {
   return {from, along, -left_of(along)};
 }
 
+Doorway doorway_of(const WallFrame& frame, const Opening& o) {
+  return {frame.origin + frame.along * ((o.u0 + o.u1) / 2), frame.out, o.u1 - o.u0,
+          o.kind == Opening::Kind::gate};
+}
+
 void add_panel(Surface& surface, const WallFrame& f, double u0, double u1, double z0, double z1, double w,
                double tile_m) {
   add_quad(surface, {f.point(u0, z0, w), {u0 / tile_m, -z0 / tile_m}},
@@ -48,6 +53,9 @@ void add_bar(Surface& surface, const WallFrame& f, double u0, double u1, double 
 }
 
 namespace {
+
+/// Sills and thresholds lie this much above the lower side of the hole, which would else be the same face.
+constexpr double sill_rise_m = 0.012;
 
 /// The flat ring between two rectangles; its corners are shared.
 void add_ring(Surface& surface, const WallFrame& f, const Opening& o, double bar, double w) {
@@ -104,7 +112,7 @@ void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeSt
             deep ? lower_face | upper_face : no_faces);
   }
   Surface& trim = mesh.surfaces[m.trim];
-  add_bar(trim, f, o.u0 - 0.06, o.u1 + 0.06, o.z0 - 0.06, o.z0, -back, 0.07, 1,
+  add_bar(trim, f, o.u0 - 0.06, o.u1 + 0.06, o.z0 - 0.05, o.z0 + sill_rise_m, -back, 0.07, 1,
           deep ? all_faces : lower_face | upper_face);
   if (style.surrounds) {
     const double w = 0.14;
@@ -130,8 +138,8 @@ void add_door(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeStyl
   add_bar(mesh.surfaces[m.rim], f, o.u1 - bar - 0.14, o.u1 - bar - 0.1, o.z0 + 0.95, o.z0 + 1.2, -back - 0.04,
           -back + 0.01);
   add_panel(mesh.surfaces[m.glass], f, o.u0 + bar, o.u1 - bar, top + 0.07, o.z1, -back - 0.04);
-  add_bar(mesh.surfaces[m.stone.material], f, o.u0 - 0.1, o.u1 + 0.1, o.z0 - 0.1, o.z0, -back, 0.3,
-          m.stone.tile_m);
+  add_bar(mesh.surfaces[m.stone.material], f, o.u0 - 0.1, o.u1 + 0.1, o.z0 - 0.1, o.z0 + sill_rise_m, -back,
+          0.3, m.stone.tile_m);
 }
 
 void add_shop_front(Mesh& mesh, const WallFrame& f, const Opening& o, const Materials& m) {

@@ -20,6 +20,9 @@ struct Opening {
   double u0, u1, z0, z1;
 };
 
+/// The way in through a door or a gate of the wall.
+Doorway doorway_of(const WallFrame& frame, const Opening& opening);
+
 /// The rectangle at `w` metres out of the wall, facing outwards.
 void add_panel(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w,
                double tile_m = 1);

@@ -42,7 +42,7 @@ FacadeStyle draw_podium_style(const Materials& m, Draws& draws) {
   return s;
 }
 
-void add_podium(Mesh& mesh, const Footprint& f, const Podium& podium, const FacadeStyle& style,
+void add_podium(Building& result, const Footprint& f, const Podium& podium, const FacadeStyle& style,
                 const Materials& m, Draws& draws) {
   const Polygon ring = f.polygon();
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -50,7 +50,8 @@ void add_podium(Mesh& mesh, const Footprint& f, const Podium& podium, const Faca
                     kerb_height_m, podium.eaves + parapet_m,
                     podium.floors, podium.eaves};
     const GroundFloor ground = i == 2 ? GroundFloor::windows : GroundFloor::shop;  // goods come in behind
-    add_facade(mesh, wall, style, ground, i != 2, m, draws);
+    const std::optional<Doorway> doorway = add_facade(result.mesh, wall, style, ground, i != 2, m, draws);
+    if (doorway) result.doorways.push_back(*doorway);
   }
 }
 
@@ -100,14 +101,15 @@ void add_crown(Mesh& mesh, const Footprint& f, double top, const CurtainStyle& s
 
 }  // namespace
 
-Mesh tower(const BuildingPlan& plan, const Materials& m, Stream stream) {
-  Mesh mesh;
+Building tower(const BuildingPlan& plan, const Materials& m, Stream stream) {
+  Building result;
+  Mesh& mesh = result.mesh;
   Draws draws{stream}, openings{substream(stream, 1)}, details{substream(stream, 2)};
   const Footprint& f = plan.footprint;
   const Podium podium = draw_podium(draws.integer(1, std::min(4, std::max(1, plan.storeys / 4))), draws);
   const FacadeStyle style = draw_podium_style(m, draws);
   const CurtainStyle curtain = draw_curtain_style(m, draws);
-  add_podium(mesh, f, podium, style, m, openings);
+  add_podium(result, f, podium, style, m, openings);
   RoofPlan deck;
   deck.kind = RoofKind::flat;
   deck.wall = style.wall;
@@ -126,7 +128,7 @@ Mesh tower(const BuildingPlan& plan, const Materials& m, Stream stream) {
     top = add_shaft(mesh, shaft, top, storeys - lower, curtain, m, details);
   }
   add_crown(mesh, shaft, top, curtain, m, details);
-  return mesh;
+  return result;
 }
 
 }  // namespace cps::city

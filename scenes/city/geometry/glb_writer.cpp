@@ -171,10 +171,12 @@ void GlbWriter::add_node(const std::string& name, int mesh, const Placement& p) 
   ordered_json node = {{"name", name}, {"mesh", mesh}};
   if (p.position != Vec3::Zero())
     node["translation"] = {rounded(p.position.x()), rounded(p.position.y()), rounded(p.position.z())};
-  if (p.heading_rad != 0) {
+  if (p.heading_rad != 0 || p.up.y() != 1) {
     // Rounded quaternions would no longer be unit ones to the six digits the format asks for.
-    node["rotation"] = {0.0, static_cast<float>(std::sin(p.heading_rad / 2)), 0.0,
-                        static_cast<float>(std::cos(p.heading_rad / 2))};
+    const Eigen::Quaternionf q = (Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), p.up) *
+                                  Eigen::AngleAxisd(p.heading_rad, Vec3::UnitY()))
+                                     .cast<float>();
+    node["rotation"] = {q.x(), q.y(), q.z(), q.w()};
   }
   if (p.scale != 1) node["scale"] = {rounded(p.scale), rounded(p.scale), rounded(p.scale)};
   nodes.push_back(std::move(node));

@@ -23,10 +23,11 @@ struct MaterialDescription {
 };
 
 /// Where a mesh stands: `position` in glTF's frame, turned by `heading_rad` about the vertical, scaled
-/// evenly.
+/// evenly, then leant over so that its vertical becomes `up` (unit).
 struct Placement {
   Vec3 position = Vec3::Zero();
   double heading_rad = 0, scale = 1;
+  Vec3 up = {0, 1, 0};
 };
 
 /// Collects a glTF 2.0 asset and writes it as one .glb file. Order of calls is order in the file, so equal

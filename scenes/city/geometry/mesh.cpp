@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace cps::city {
@@ -54,36 +53,16 @@ void add_box(Surface& surface, const Vec2& centre, const Vec2& along, double hal
              {lift(ring[1], bottom), {u, v}}, {lift(ring[0], bottom), {0, v}});
 }
 
-void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m,
-               const std::function<double(const Vec2&)>& shade) {
-  constexpr double longest_edge_m = 7;
-  std::map<std::pair<double, double>, std::uint32_t> known;  // corners that triangles share
-  const auto add_vertex = [&](const Vec2& p) {
-    const auto [entry, is_new] =
-        known.try_emplace({p.x(), p.y()}, static_cast<std::uint32_t>(surface.positions.size()));
-    if (!is_new) return entry->second;
+void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m) {
+  const auto first = static_cast<std::uint32_t>(surface.positions.size());
+  for (const Vec2& p : polygon) {
     surface.positions.push_back(lift(p, height).cast<float>());
     surface.normals.emplace_back(0.f, 1.f, 0.f);
     surface.uvs.emplace_back(Vec2(p.x() / tile_m, -p.y() / tile_m).cast<float>());
-    if (shade) surface.colors.push_back(gray_color(shade(p)));
-    return entry->second;
-  };
-  std::vector<std::array<Vec2, 3>> pending;
-  for (const auto& [a, b, c] : triangulate(polygon)) pending.push_back({polygon[a], polygon[b], polygon[c]});
-  while (!pending.empty()) {
-    const auto [a, b, c] = pending.back();
-    pending.pop_back();
-    const double ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
-    if (std::abs(cross(b - a, c - a)) < 1e-9) continue;
-    if (!shade || std::max({ab, bc, ca}) < longest_edge_m) {
-      for (const Vec2& p : {a, b, c}) surface.indices.push_back(add_vertex(p));
-    } else if (ab >= bc && ab >= ca) {
-      pending.insert(pending.end(), {{a, (a + b) / 2, c}, {(a + b) / 2, b, c}});
-    } else if (bc >= ca) {
-      pending.insert(pending.end(), {{a, b, (b + c) / 2}, {a, (b + c) / 2, c}});
-    } else {
-      pending.insert(pending.end(), {{a, b, (c + a) / 2}, {(c + a) / 2, b, c}});
-    }
+  }
+  for (const auto& [a, b, c] : triangulate(polygon)) {
+    if (std::abs(cross(polygon[b] - polygon[a], polygon[c] - polygon[a])) < 1e-9) continue;
+    for (const int corner : {a, b, c}) surface.indices.push_back(first + corner);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -61,9 +60,7 @@ void add_box(Surface& surface, const Vec2& centre, const Vec2& along, double hal
              double bottom, double top, double tile_m = 1, bool with_bottom = false);
 
 /// A horizontal face over a plan polygon (any simple one), texture coordinates in world metres / `tile_m`.
-/// With `shade` (lightness at a point of the plan) it is divided finely and gets vertex colours.
-void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m,
-               const std::function<double(const Vec2&)>& shade = {});
+void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m);
 
 /// A tapered tube from `from` to `to`, smooth-shaded, closed at the far end if `capped`.
 void add_tube(Surface& surface, const Vec3& from, const Vec3& to, double radius_from, double radius_to,

@@ -20,27 +20,21 @@ void add_strip(Surface& surface, const Polyline& left, const Polyline& right, co
     if (std::max(piece, wide) < 1e-6) continue;
     const Vec3 slope = (lift(left[i - 1], style.left_height) - lift(right[i - 1], style.right_height));
     const Vec3 normal = lift(right[i] - right[i - 1] + left[i] - left[i - 1], 0).cross(slope).normalized();
-    const int steps = std::max(1, static_cast<int>(std::max(piece, wide) / style.step_m));
     const auto first = static_cast<std::uint32_t>(surface.positions.size());
-    for (int k = 0; k <= steps; ++k) {
-      const double t = static_cast<double>(k) / steps;
-      const Vec2 l = left[i - 1] + (left[i] - left[i - 1]) * t,
-                 r = right[i - 1] + (right[i] - right[i - 1]) * t;
-      const double u = (along + piece * t) / style.tile_m;
-      const double across = std::hypot((l - r).norm(), style.left_height - style.right_height) / style.tile_m;
+    for (const std::size_t k : {i - 1, i}) {
+      const double u = (along + (k == i ? piece : 0.0)) / style.tile_m;
+      const double across =
+          std::hypot((left[k] - right[k]).norm(), style.left_height - style.right_height) / style.tile_m;
       for (const auto& [p, height, v] :
-           {std::tuple{r, style.right_height, 0.0}, {l, style.left_height, -across}}) {
+           {std::tuple{right[k], style.right_height, 0.0}, {left[k], style.left_height, -across}}) {
         surface.positions.push_back(lift(p, height).cast<float>());
         surface.normals.push_back(normal.cast<float>());
         surface.uvs.emplace_back(static_cast<float>(u), static_cast<float>(v));
-        if (style.weather) surface.colors.push_back(gray_color(weathering(*style.weather, p)));
       }
     }
-    for (int k = 0; k < steps; ++k) {
-      const std::uint32_t a = first + 2 * k;  // right, left, next right, next left
-      if (piece > 1e-6) surface.indices.insert(surface.indices.end(), {a, a + 2, a + 3});
-      if (wide > 1e-6) surface.indices.insert(surface.indices.end(), {a, a + 3, a + 1});
-    }
+    // In order: right, left, next right, next left.
+    if (piece > 1e-6) surface.indices.insert(surface.indices.end(), {first, first + 2, first + 3});
+    if (wide > 1e-6) surface.indices.insert(surface.indices.end(), {first, first + 3, first + 1});
     along += piece;
   }
 }

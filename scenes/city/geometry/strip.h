@@ -10,13 +10,10 @@ namespace cps::city {
 double weathering(Stream stream, const Vec2& point);
 
 /// The horizontal or tilted strip between two lines with equally many points, `left` on the left of `right`.
-/// Texture: u along the right line, v across, in metres / `tile_m`. Long pieces are divided to about `step_m`
-/// so that the weathering has vertices to live on.
+/// Texture: u along the right line, v across, in metres / `tile_m`.
 struct StripStyle {
   double left_height = 0, right_height = 0;
   double tile_m = 1;
-  double step_m = 1e9;
-  const Stream* weather = nullptr;  ///< none: no vertex colours
 };
 void add_strip(Surface& surface, const Polyline& left, const Polyline& right, const StripStyle& style);
 

@@ -15,6 +15,7 @@ struct WallMaterial {
 /// Every material of one city. Colours and the facade mix differ from seed to seed.
 struct Materials {
   MaterialId asphalt, asphalt_patch, tar, paving, kerb, gutter, grass, soil, road_paint, manhole;
+  MaterialId cycle_track, rail;
   std::vector<WallMaterial> plaster, brick, concrete;
   std::vector<WallMaterial> curtain_wall;  ///< glass: its tile is curtain_wall_panels × curtain_wall_storeys
   std::vector<WallMaterial> sheet;         ///< ribbed metal; ribs run up the image

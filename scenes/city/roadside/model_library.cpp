@@ -89,7 +89,7 @@ void add_far_houses(ModelLibrary& library, GlbWriter& writer, const Materials& m
     plan.storeys = i < 4 ? draws.integer(2, 3) : draws.integer(5, 11);
     plan.roof = i < 4 ? (draws.chance(0.5) ? RoofKind::gable : RoofKind::hip) : RoofKind::flat;
     plan.distant = true;
-    Mesh mesh = building(plan, m, substream(draws.stream, 1));
+    Mesh mesh = building(plan, m, substream(draws.stream, 1)).mesh;
     mesh.name = "far house " + std::to_string(i);
     library.far_houses.push_back(store(writer, mesh, width / 2, depth / 2, ModelKind::house));
   }

@@ -36,6 +36,7 @@ Mesh make_terrain(const Ground& ground, MaterialId material, Stream stream) {
   Mesh mesh{"terrain", {}};
   Surface& s = mesh.surfaces[material];
   std::vector<double> radii{0};
+  for (double r = 15; r < 120; r += 15) radii.push_back(r);  // fine enough to follow the city's slopes
   for (double r = 120; r < horizon_m; r *= 1.055) radii.push_back(r);
   for (double radius : radii)
     for (int i = 0; i < directions; ++i) {

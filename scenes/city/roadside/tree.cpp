@@ -161,7 +161,7 @@ Mesh hedge(const Materials& m, double length_m, double height_m, Stream stream) 
   Mesh mesh{"hedge", {}};
   Draws draws{stream};
   constexpr double half_width = 0.32;
-  add_box(mesh.surfaces[m.hedge_core], {0, 0}, {1, 0}, length_m / 2 - 0.14, half_width - 0.13, -0.05,
+  add_box(mesh.surfaces[m.hedge_core], {0, 0}, {1, 0}, length_m / 2 - 0.14, half_width - 0.13, -0.15,
           height_m - 0.16);
   Surface& surface = mesh.surfaces[m.leaves[1]];
   const auto add_leaves = [&](const Vec3& at, const Vec3& outwards) {

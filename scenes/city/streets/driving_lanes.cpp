@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scenes/city/streets/roundabout.h"
+
 namespace cps::city {
 namespace {
 
@@ -166,7 +168,10 @@ class JunctionLinks {
     DrivingLane lane;
     lane.street = lanes[in].street;
     lane.width_m = std::min(lanes[in].width_m, lanes[out].width_m);
-    lane.points = turn(from, to, kerb + room);
+    const Junction& crossed = network.junctions[junction];
+    lane.points = crossed.roundabout ? roundabout_way(*crossed.roundabout, crossed.position,
+                                                      {from.point, from.direction}, {to.point, to.direction})
+                                     : turn(from, to, kerb + room);
     lane.next = {out};
     lane.junction = junction;
     lanes[in].next.push_back(static_cast<int>(lanes.size()));

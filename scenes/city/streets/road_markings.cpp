@@ -31,6 +31,15 @@ struct Painter {
     add_stripe(paint, {at.point + n * from_left, at.point + n * to_left}, width, paint_height_m,
                paint_tile_m);
   }
+  /// Broad dashes across the lanes that lead into a ring, `from_middle_m` from its middle.
+  void give_way(double from_middle_m, const StreetProfile& p, bool at_end) const {
+    if ((at_end ? p.lanes_forward : p.lanes_backward) == 0) return;
+    const double half = p.half_width(), total = length(centre);
+    const double station = at_end ? total - from_middle_m : from_middle_m;
+    const double low = at_end ? -half + p.edge_right_m() + 0.3 : p.divider_offset() + 0.2;
+    const double high = at_end ? p.divider_offset() - 0.2 : half - p.edge_left_m() - 0.3;
+    for (double left = low; left + 0.5 <= high; left += 0.75) across(station, left, left + 0.5, 0.5);
+  }
   void zebra(double from, double to, double half_width) const {
     const int stripes = static_cast<int>((2 * half_width - 0.3) / (2 * zebra_stripe_m));
     for (int i = 0; i < stripes; ++i)
@@ -79,8 +88,9 @@ void paint_arrows(const Painter& painter, const StreetProfile& p, double station
 void paint_lanes(const Painter& painter, const StreetProfile& p, double from, double to) {
   const double divider = p.divider_offset();
   if (p.lanes_forward > 1 && p.lanes_backward > 1) {
-    painter.line(from, to, divider - 0.12);
-    painter.line(from, to, divider + 0.12);
+    const double apart = p.median_m > 0 ? p.median_m / 2 + 0.25 : 0.12;
+    painter.line(from, to, divider - apart);
+    painter.line(from, to, divider + apart);
   } else if (p.lanes_backward > 0 && p.centre_line) {
     const double solid = std::min(12.0, (to - from) / 4);
     painter.line(from, from + solid, divider);
@@ -96,12 +106,13 @@ void paint_lanes(const Painter& painter, const StreetProfile& p, double from, do
 void paint_edges(const Painter& painter, const StreetProfile& p, double from, double to, bool bays,
                  bool edge_lines) {
   const double half = p.half_width();
-  for (const auto& [side, parking] : {std::pair{1.0, p.parking_left_m}, {-1.0, p.parking_right_m}}) {
+  for (const auto& [side, parking, cycle] :
+       {std::tuple{1.0, p.parking_left_m, p.cycle_left_m}, {-1.0, p.parking_right_m, p.cycle_right_m}}) {
     if (parking > 0 && bays) {
       painter.line(from, to, side * (half - parking), 0.1);
       for (double s = from; s <= to; s += 5.5)
         painter.across(s, side * (half - 0.3), side * (half - parking), 0.1);
-    } else if (parking == 0 && edge_lines) {
+    } else if (parking == 0 && cycle == 0 && edge_lines) {
       painter.line(from, to, side * (half - 0.42));
     }
   }
@@ -118,6 +129,8 @@ Approach approach(const StreetNetwork& network, int segment, bool at_end, std::u
   a.crossing = meets_road && draws.chance(profile.kind == "residential" ? 0.3 : 0.65);
   a.crossing_length_m = draws.uniform(3.0, 4.0);
   a.stop_line = meets_road && (a.crossing || draws.chance(0.6));
+  if (network.junctions[at_end ? s.to : s.from].roundabout)
+    a.stop_line = false;  // it has a line to give way at
   a.stop_line_at_m = a.crossing ? a.crossing_from_m + a.crossing_length_m + 1.0 : 0.6;
   a.clear_m = meets_road ? (a.crossing ? a.stop_line_at_m + 4.0 : 5.0) : 0.0;
   return a;
@@ -134,7 +147,8 @@ Mesh road_markings(const StreetNetwork& network, int street, const Materials& ma
     const double total = length(segment.centre);
     const Painter painter{paint, segment.centre};
     const Approach first = approach(network, s, false, seed), last = approach(network, s, true, seed);
-    const double half = profile.half_width(), divider = profile.divider_offset();
+    const double half = profile.half_width(), divider = profile.divider_offset(),
+                 beside = profile.median_m / 2 + 0.1;
     if (first.crossing)
       painter.zebra(segment.cut_from + first.crossing_from_m,
                     segment.cut_from + first.crossing_from_m + first.crossing_length_m, half);
@@ -144,9 +158,12 @@ Mesh road_markings(const StreetNetwork& network, int street, const Materials& ma
     const double stop_from = segment.cut_from + first.stop_line_at_m + stop_line_width_m / 2;
     const double stop_to = total - segment.cut_to - last.stop_line_at_m - stop_line_width_m / 2;
     if (first.stop_line && profile.lanes_backward > 0)
-      painter.across(stop_from, half - profile.parking_left_m - 0.15, divider + 0.1, stop_line_width_m);
+      painter.across(stop_from, half - profile.parking_left_m - 0.15, divider + beside, stop_line_width_m);
     if (last.stop_line && profile.lanes_forward > 0)
-      painter.across(stop_to, divider - 0.1, -half + profile.parking_right_m + 0.15, stop_line_width_m);
+      painter.across(stop_to, divider - beside, -half + profile.parking_right_m + 0.15, stop_line_width_m);
+    for (const bool at_end : {false, true})
+      if (const auto& ring = network.junctions[at_end ? segment.to : segment.from].roundabout)
+        painter.give_way(ring->outer_m + 0.4, profile, at_end);
     if (first.stop_line) paint_arrows(painter, profile, stop_from, false);
     if (last.stop_line) paint_arrows(painter, profile, stop_to, true);
     const double from = first.stop_line ? stop_from + stop_line_width_m / 2 : segment.cut_from + 0.5;

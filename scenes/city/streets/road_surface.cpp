@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/streets/road_wear.h"
 
 namespace cps::city {
 namespace {
+
+constexpr double apron_m = 0.05;
 
 void add_asphalt_vertex(Surface& surface, const Vec2& p, double light) {
   surface.positions.push_back(lift(p, 0).cast<float>());
@@ -48,53 +50,6 @@ void add_lane_asphalt(Surface& surface, const Polyline& centre, const StreetProf
       const std::uint32_t a = first + i * row + c, b = a + row;
       surface.indices.insert(surface.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
     }
-}
-
-void add_disc(Surface& surface, const Vec2& centre, double radius, double height) {
-  std::vector<Vertex> rim(24);
-  for (int i = 0; i < 24; ++i) {
-    const double a = 2 * std::numbers::pi * i / 24;
-    rim[i] = {lift(centre + Vec2(std::cos(a), std::sin(a)) * radius, height)};
-  }
-  add_polygon(surface, rim);
-}
-
-/// A crack somebody filled with tar: a wandering seam along (or across) the road.
-void add_seam(Surface& surface, const Polyline& centre, double from, double to, double left_m, double limit,
-              Draws& draws) {
-  Polyline seam;
-  double wander = left_m;
-  for (double s = from; s <= to; s += 0.6) {
-    wander = std::clamp(wander + draws.uniform(-0.12, 0.12), -limit, limit);
-    const Station at = station_at(centre, s);
-    seam.push_back(at.point + left_of(at.direction) * wander);
-  }
-  if (seam.size() > 2) add_stripe(surface, seam, draws.uniform(0.03, 0.06), seam_height_m, 1);
-}
-
-void add_wear(Mesh& mesh, const Polyline& centre, const StreetProfile& profile, const Materials& m,
-              double wear, Draws& draws) {
-  const double total = length(centre), half = profile.half_width();
-  const int patches = static_cast<int>(total / 30 * wear * draws.uniform(0.3, 1.8));
-  for (int i = 0; i < patches; ++i) {
-    const double l = draws.uniform(1.0, 7), w = draws.uniform(0.7, 2.4);
-    const double s = draws.uniform(1, std::max(1.1, total - l - 1));
-    const double left = draws.uniform(-half + w / 2 + 0.5, half - w / 2 - 0.5);
-    if (s + l < total - 0.5)
-      add_stripe(mesh.surfaces[m.asphalt_patch], offset(cut(centre, s, s + l), left), w,
-                 patch_height_m * (1 + 0.1 * i), asphalt_tile_m);
-  }
-  const int seams = static_cast<int>(total / 22 * wear * draws.uniform(0.3, 2.2));
-  for (int i = 0; i < seams; ++i) {
-    const double from = draws.uniform(0.5, total * 0.8);
-    add_seam(mesh.surfaces[m.tar], centre, from, std::min(total - 0.5, from + draws.uniform(3, 18)),
-             draws.uniform(-half + 0.6, half - 0.6), half - 0.5, draws);
-  }
-  for (double s = draws.uniform(6, 30); s < total - 2; s += draws.uniform(22, 45)) {
-    const Station at = station_at(centre, s);
-    add_disc(mesh.surfaces[m.manhole], at.point + left_of(at.direction) * draws.uniform(-half + 1, half - 1),
-             0.33, seam_height_m + 0.0005);
-  }
 }
 
 }  // namespace
@@ -136,14 +91,19 @@ Mesh junction_floor(const StreetNetwork& network, int junction, const Materials&
       if (ring > 0) surface.indices.insert(surface.indices.end(), {a, b + n, b});
       surface.indices.insert(surface.indices.end(), {a, a + n, b + n});
     }
+  // The streets' asphalt has more vertices along the common edge: an apron closes what hair's breadth is left
+  // between them on a slope.
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Vec2 &p = border[i], &q = border[(i + 1) % n];
+    add_strip(mesh.surfaces[materials.asphalt_patch], {p, q}, {p, q}, {0, -apron_m, asphalt_tile_m});
+  }
   return mesh;
 }
 
 Mesh pavement(const StreetNetwork& network, const Block& block, const std::vector<double>& pavement_m,
-              const Materials& materials, std::uint64_t seed) {
+              const Materials& materials) {
   Mesh mesh;
   const std::size_t n = block.sides.size();
-  const Stream weather = make_stream(seed, "weathering");
   const auto ring = [&](double inset) {
     std::vector<double> insets(n);
     for (std::size_t i = 0; i < n; ++i) insets[i] = network.is_road(block.sides[i]) ? inset : 0;
@@ -162,7 +122,7 @@ Mesh pavement(const StreetNetwork& network, const Block& block, const std::vecto
     add_strip(mesh.surfaces[materials.kerb], piece(back), piece(kerb),
               {kerb_height_m, kerb_height_m, kerb_tile_m});
     add_strip(mesh.surfaces[materials.paving], piece(walls), piece(back),
-              {kerb_height_m, kerb_height_m, paving_tile_m, 3.0, &weather});
+              {kerb_height_m, kerb_height_m, paving_tile_m});
   }
   return mesh;
 }

@@ -19,6 +19,6 @@ Mesh junction_floor(const StreetNetwork& network, int junction, const Materials&
 
 /// Kerbs, gutters and pavements around a block: `pavement_m` per side, measured from the carriageway's edge.
 Mesh pavement(const StreetNetwork& network, const Block& block, const std::vector<double>& pavement_m,
-              const Materials& materials, std::uint64_t seed);
+              const Materials& materials);
 
 }  // namespace cps::city

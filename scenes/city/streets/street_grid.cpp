@@ -150,7 +150,8 @@ void add_rim(StreetNetwork& network, const Grid& grid) {
     network.segments.push_back(std::move(border));
   };
   for (int c = 0; c < 4; ++c) {
-    network.junctions.push_back({network.junctions[inner[c]].position + outwards[c] * rim_depth_m, {}, {}});
+    network.junctions.push_back(
+        {network.junctions[inner[c]].position + outwards[c] * rim_depth_m, {}, {}, {}});
     network.rim.push_back(network.junctions.back().position);
     add_border(inner[c], first + c);
   }
@@ -191,7 +192,7 @@ StreetNetwork draw_street_network(const CityOptions& options) {
   std::vector<int> degree;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      network.junctions.push_back({grid.crossing(r, c), {}, {}});
+      network.junctions.push_back({grid.crossing(r, c), {}, {}, {}});
       const bool inner = r > 0 && r + 1 < rows && c > 0 && c + 1 < columns;
       degree.push_back(inner ? 4 : 3);
     }
@@ -204,7 +205,7 @@ StreetNetwork draw_street_network(const CityOptions& options) {
   add_rim(network, grid);
   rotate(network, draws.uniform(0, 2 * std::numbers::pi));
   find_blocks(network);
-  shape_junctions(network, options.seed);
+  shape_junctions(network, options);
   return network;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "scenes/city/draws.h"
+#include "scenes/city/streets/roundabout.h"
 
 namespace cps::city {
 
@@ -89,13 +90,39 @@ bool is_rounded(const StreetNetwork& network, const Side& in, const Side& out, c
   return network.is_road(in) && network.is_road(out) && corner.turn > straight_on_rad;
 }
 
+/// The border of a block from the line of its side `in` to that of the next one.
+Polyline corner_line(const StreetNetwork& network, const Side& in, const Side& out, const Polyline& in_line,
+                     const Polyline& out_line, double shrink_m) {
+  const Junction& junction = network.junctions[network.end(in)];
+  if (junction.roundabout)
+    return around_roundabout(*junction.roundabout, junction.position, in_line, out_line, shrink_m);
+  const Corner corner = corner_between(in_line, out_line);
+  if (!is_rounded(network, in, out, corner)) return {corner.point};
+  return fillet(corner.point, corner.direction_in, corner.direction_out,
+                std::max(0.0, network.corner_radius(in) - shrink_m), arc_steps);
+}
+
+double& cut_of(StreetNetwork& network, const Side& arm) {
+  Segment& segment = network.segments[arm.segment];
+  return arm.reversed ? segment.cut_to : segment.cut_from;
+}
+
 }  // namespace
 
-void shape_junctions(StreetNetwork& network, std::uint64_t seed) {
+void shape_junctions(StreetNetwork& network, const CityOptions& options) {
+  const Stream roundabouts = make_stream(options.seed, "roundabouts");
   for (std::size_t j = 0; j < network.junctions.size(); ++j) {
     Junction& junction = network.junctions[j];
-    Draws draws{substream(make_stream(seed, "junction"), j)};
+    Draws draws{substream(make_stream(options.seed, "junction"), j)};
     junction.radii.assign(junction.arms.size(), 0);
+    Draws own{substream(roundabouts, j)};
+    junction.roundabout = draw_roundabout(network, static_cast<int>(j), options.style, own);
+    if (junction.roundabout) {
+      for (const Side& arm : junction.arms)
+        cut_of(network, arm) =
+            roundabout_cut_m(*junction.roundabout, network.segments[arm.segment].half_width);
+      continue;
+    }
     for (std::size_t i = 0; i < junction.arms.size(); ++i) {
       const Side out = junction.arms[(i + 1) % junction.arms.size()];
       const Side in = junction.arms[i];
@@ -109,8 +136,7 @@ void shape_junctions(StreetNetwork& network, std::uint64_t seed) {
       for (const auto& [side, direction] :
            {std::pair{out, Vec2(-corner.direction_in)}, std::pair{in, corner.direction_out}}) {
         const double station = (corner.point + direction * tangent - junction.position).dot(direction);
-        Segment& segment = network.segments[side.segment];
-        double& cut = side.reversed ? segment.cut_to : segment.cut_from;
+        double& cut = cut_of(network, side);
         cut = std::max(cut, station);
       }
     }
@@ -131,14 +157,9 @@ Polygon junction_border(const StreetNetwork& network, int junction) {
     // Out along this arm's left kerb is against the block's direction there: the block arrives on the next
     // arm.
     const Side arrives{next.segment, !next.reversed};
-    const Corner corner = corner_between(network.kerb_line(arrives), network.kerb_line(arm));
-    if (is_rounded(network, arrives, arm, corner)) {
-      const Polyline arc = fillet(corner.point, corner.direction_in, corner.direction_out,
-                                  network.junctions[junction].radii[i], arc_steps);
-      border.insert(border.end(), arc.rbegin(), arc.rend());
-    } else {
-      border.push_back(corner.point);
-    }
+    const Polyline corner =
+        corner_line(network, arrives, arm, network.kerb_line(arrives), network.kerb_line(arm), 0);
+    border.insert(border.end(), corner.rbegin(), corner.rend());
   }
   return border;
 }
@@ -151,12 +172,7 @@ Outline outline(const StreetNetwork& network, const Block& block, const std::vec
   std::vector<Polyline> arcs(n);  // at the end of side i
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t next = (i + 1) % n;
-    const Corner corner = corner_between(lines[i], lines[next]);
-    if (is_rounded(network, block.sides[i], block.sides[next], corner))
-      arcs[i] = fillet(corner.point, corner.direction_in, corner.direction_out,
-                       std::max(0.0, network.corner_radius(block.sides[i]) - corner_shrink_m), arc_steps);
-    else
-      arcs[i] = {corner.point};
+    arcs[i] = corner_line(network, block.sides[i], block.sides[next], lines[i], lines[next], corner_shrink_m);
   }
   Outline result;
   const auto add = [&](const Vec2& point, std::size_t side, bool corner) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,19 +18,28 @@ struct StreetProfile {
   double parking_left_m = 0, parking_right_m = 0;
   double pavement_m = 3;
   bool centre_line = true;  ///< quiet streets have none
+  /// Cycle tracks on the carriageway, between the parking bays (or the kerb) and the lanes.
+  double cycle_left_m = 0, cycle_right_m = 0;
+  double median_m = 0;       ///< a kerbed strip between the directions
+  bool tram_tracks = false;  ///< in the innermost lane of each direction
 
   double half_width() const {
-    return ((lanes_forward + lanes_backward) * lane_width_m + parking_left_m + parking_right_m) / 2;
+    return (edge_left_m() + edge_right_m() + median_m + (lanes_forward + lanes_backward) * lane_width_m) / 2;
   }
+  /// What lies between the lanes and the kerb on either side.
+  double edge_left_m() const { return parking_left_m + cycle_left_m; }
+  double edge_right_m() const { return parking_right_m + cycle_right_m; }
   /// Offset from the centre line (positive: left) of the middle of a lane, counted from its own kerb.
   double forward_lane_offset(int lane) const {
-    return -half_width() + parking_right_m + (lane + 0.5) * lane_width_m;
+    return -half_width() + edge_right_m() + (lane + 0.5) * lane_width_m;
   }
   double backward_lane_offset(int lane) const {
-    return half_width() - parking_left_m - (lane + 0.5) * lane_width_m;
+    return half_width() - edge_left_m() - (lane + 0.5) * lane_width_m;
   }
-  /// Offset of the line between the two directions.
-  double divider_offset() const { return -half_width() + parking_right_m + lanes_forward * lane_width_m; }
+  /// Offset of the line between the two directions, the middle of the median where there is one.
+  double divider_offset() const {
+    return -half_width() + edge_right_m() + lanes_forward * lane_width_m + median_m / 2;
+  }
 };
 
 struct Street {
@@ -54,10 +64,17 @@ struct Side {
   bool operator==(const Side&) const = default;
 };
 
+/// A ring of one lane around an island, by the radii of its outer kerb and of the island's; the streets'
+/// kerbs run into it in curves of `fillet_m`.
+struct Roundabout {
+  double outer_m = 15, island_m = 9, fillet_m = 8;
+};
+
 struct Junction {
   Vec2 position;
   std::vector<Side> arms;     ///< leaving the junction, anticlockwise
-  std::vector<double> radii;  ///< kerb radius between arm i and arm i + 1
+  std::vector<double> radii;  ///< kerb radius between arm i and arm i + 1; 0 at roundabouts
+  std::optional<Roundabout> roundabout;
 };
 
 /// A face of the graph: its border, anticlockwise.
@@ -100,16 +117,16 @@ StreetNetwork draw_street_network(const CityOptions& options);
 /// Sorts the arms of each junction and finds the blocks; the unbounded face is left out.
 void find_blocks(StreetNetwork& network);
 
-/// Draws the kerb radii and finds where each segment's own carriageway begins.
-void shape_junctions(StreetNetwork& network, std::uint64_t seed);
+/// Draws roundabouts and kerb radii and finds where each segment's own carriageway begins.
+void shape_junctions(StreetNetwork& network, const CityOptions& options);
 
 /// The junction's asphalt: from arm to arm around the rounded kerbs, anticlockwise. Empty where no road meets
 /// another.
 Polygon junction_border(const StreetNetwork& network, int junction);
 
 /// The block's outline, `inset_m` metres behind the kerb (per side), its corners rounded by the kerb radius
-/// less `corner_shrink_m`. Outlines of one block have the same number of points, so that two of them bound a
-/// strip.
+/// less `corner_shrink_m` (at a roundabout the ring's kerb, moved back by that much). Outlines of one block
+/// have the same number of points, so that two of them bound a strip.
 struct Outline {
   Polygon points;
   std::vector<int> side;     ///< which of the block's sides the stretch from this point on belongs to

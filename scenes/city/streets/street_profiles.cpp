@@ -3,18 +3,40 @@
 namespace cps::city {
 namespace {
 
+/// Cycle tracks on both sides in place of the parking bays.
+void lay_cycle_tracks(StreetProfile& p, double width_m) {
+  p.parking_left_m = p.parking_right_m = 0;
+  p.cycle_right_m = width_m;
+  if (p.lanes_backward > 0) p.cycle_left_m = width_m;
+}
+
+/// Wide streets: a median or tram tracks, cycle tracks.
+void draw_extras(StreetProfile& p, double median, double tram, double cycle, Draws& draws) {
+  const double pick = draws.uniform(0, 1), cycle_m = draws.uniform(1.5, 1.85),
+               median_m = draws.uniform(1.6, 2.6);
+  if (draws.chance(cycle)) lay_cycle_tracks(p, cycle_m);
+  if (pick < median)
+    p.median_m = median_m;
+  else
+    p.tram_tracks = pick < median + tram;
+}
+
 StreetProfile residential(Draws& draws) {
   return {"residential", 1, 1, draws.uniform(3.0, 3.3), 2.2, 2.2, draws.uniform(2.4, 3.2), draws.chance(0.4)};
 }
 
 StreetProfile collector(Draws& draws) {
   const bool parking = draws.chance(0.7);
-  return {"collector", 1, 1, draws.uniform(3.25, 3.75), 0, parking ? 2.3 : 0.0, draws.uniform(2.8, 4.2),
-          true};
+  StreetProfile p{
+      "collector", 1, 1, draws.uniform(3.25, 3.75), 0, parking ? 2.3 : 0.0, draws.uniform(2.8, 4.2), true};
+  draw_extras(p, 0, 0, 0.35, draws);
+  return p;
 }
 
 StreetProfile avenue(Draws& draws) {
-  return {"avenue", 2, 2, draws.uniform(3.0, 3.4), 2.3, 2.3, draws.uniform(3.8, 5.0), true};
+  StreetProfile p{"avenue", 2, 2, draws.uniform(3.0, 3.4), 2.3, 2.3, draws.uniform(3.8, 5.0), true};
+  draw_extras(p, 0.15, 0.4, 0.45, draws);
+  return p;
 }
 
 StreetProfile one_way(Draws& draws) {
@@ -34,11 +56,15 @@ StreetProfile downtown(Draws& draws, bool ring) {
   const double lane = draws.uniform(3.0, 3.5), pavement = draws.uniform(4.0, 6.0);
   if (kind < 0.3) {
     const double parking = draws.chance(0.4) ? 2.3 : 0.0;
-    return {"boulevard", 3, 3, lane, parking, parking, pavement, true};
+    StreetProfile p{"boulevard", 3, 3, lane, parking, parking, pavement, true};
+    draw_extras(p, 0.45, 0.3, 0.4, draws);
+    return p;
   }
   if (kind < 0.65) {
     const double parking = draws.chance(0.6) ? 2.3 : 0.0;
-    return {"avenue", 2, 2, lane, parking, parking, pavement, true};
+    StreetProfile p{"avenue", 2, 2, lane, parking, parking, pavement, true};
+    draw_extras(p, 0.25, 0.3, 0.35, draws);
+    return p;
   }
   if (kind < 0.85) return {"one-way", draws.integer(2, 3), 0, lane, 2.3, 2.3, pavement, false};
   return {"collector", 1, 1, draws.uniform(3.25, 3.75), 2.3, 2.3, pavement, true};
@@ -58,7 +84,9 @@ StreetProfile industrial(Draws& draws, bool ring) {
   const double kind = ring ? 0.5 : draws.uniform(0, 1);
   if (kind < 0.25) return {"avenue", 2, 2, draws.uniform(3.4, 3.75), 0, 0, draws.uniform(2.4, 3.4), true};
   const double parking = draws.chance(0.4) ? 2.3 : 0.0;
-  return {"collector", 1, 1, draws.uniform(3.5, 3.75), 0, parking, draws.uniform(2.2, 3.2), true};
+  StreetProfile p{"collector", 1, 1, draws.uniform(3.5, 3.75), 0, parking, draws.uniform(2.2, 3.2), true};
+  draw_extras(p, 0, 0, 0.2, draws);
+  return p;
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+#include "scenes/city/streets/roundabout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scenes/city/geometry/strip.h"
+#include "scenes/city/materials/textures.h"
+#include "scenes/city/streets/road_surface.h"
+
+namespace cps::city {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int fillet_steps = 6, ring_steps = 16;
+
+double angle_of(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// Points from `start` around `centre` by `sweep_rad` (positive: anticlockwise), both ends included.
+Polyline arc(const Vec2& centre, const Vec2& start, double sweep_rad, int steps) {
+  Polyline points;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = sweep_rad * i / steps;
+    const Vec2 spoke = start - centre;
+    points.push_back(centre + Vec2(std::cos(a) * spoke.x() - std::sin(a) * spoke.y(),
+                                   std::sin(a) * spoke.x() + std::cos(a) * spoke.y()));
+  }
+  return points;
+}
+
+double sweep(const Vec2& centre, const Vec2& from, const Vec2& to) {
+  return std::atan2(cross(from - centre, to - centre), (from - centre).dot(to - centre));
+}
+
+/// The arc between a line on its way to the ring and the circle around the middle, which it touches both.
+struct Fillet {
+  Vec2 centre, on_line, on_ring;
+};
+
+/// `aside` points from the line to the arc's centre; `on` along the line towards the ring.
+Fillet fillet_to_ring(const Vec2& middle, double ring_m, const Vec2& on_line, const Vec2& on,
+                      const Vec2& aside, double radius_m) {
+  const double lateral = aside.dot(on_line - middle) + radius_m, reach = ring_m + radius_m;
+  const double along = std::sqrt(std::max(0.0, reach * reach - lateral * lateral));
+  const Vec2 centre = middle + aside * lateral - on * along;
+  return {centre, centre - aside * radius_m, middle + (centre - middle) * (ring_m / reach)};
+}
+
+Fillet kerb_fillet(const Roundabout& r, const Vec2& middle, const Vec2& on_line, const Vec2& on,
+                   const Vec2& aside, double inset_m) {
+  return fillet_to_ring(middle, r.outer_m + inset_m, on_line, on, aside, std::max(0.0, r.fillet_m - inset_m));
+}
+
+Station end_of(const Polyline& line) {
+  return {line.back(), (line.back() - line[line.size() - 2]).normalized()};
+}
+
+Station start_of(const Polyline& line) {
+  return {line[0], (line[1] - line[0]).normalized()};
+}
+
+/// How far the ring's kerb runs between two arms: negative where they are too close together.
+double ring_between(const Roundabout& r, const Vec2& middle, const Polyline& arriving,
+                    const Polyline& leaving, double inset_m) {
+  const Station in = end_of(arriving), out = start_of(leaving);
+  const Vec2 a = kerb_fillet(r, middle, in.point, in.direction, left_of(in.direction), inset_m).on_ring,
+             b = kerb_fillet(r, middle, out.point, -out.direction, left_of(out.direction), inset_m).on_ring;
+  const double between = angle_of(a - middle) - angle_of(b - middle);  // clockwise, as the block sees it
+  return std::remainder(between - pi, 2 * pi) + pi;
+}
+
+double share_of(CityStyle style) {
+  switch (style) {
+    case CityStyle::downtown:
+      return 0.25;
+    case CityStyle::european:
+    case CityStyle::mixed:
+      return 0.3;
+    case CityStyle::suburb:
+      return 0.3;
+    case CityStyle::industrial:
+      return 0.5;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, CityStyle style,
+                                          Draws& draws) {
+  const bool wanted = draws.chance(share_of(style));
+  Roundabout r;
+  r.outer_m = draws.uniform(13.5, 17);
+  r.island_m = r.outer_m - draws.uniform(5.5, 6.8);
+  r.fillet_m = draws.uniform(6, 9);
+  const Junction& j = network.junctions[junction];
+  if (!wanted || j.arms.size() < 3) return std::nullopt;
+  for (std::size_t i = 0; i < j.arms.size(); ++i) {
+    const Side arm = j.arms[i], next = j.arms[(i + 1) % j.arms.size()];
+    if (!network.is_road(arm) || network.junctions[network.end(arm)].roundabout) return std::nullopt;
+    const StreetProfile& p = network.profile(arm);
+    const double cut_m = roundabout_cut_m(r, p.half_width());
+    if (p.lanes_forward > 1 || p.lanes_backward > 1 ||
+        cut_m > 0.33 * length(network.segments[arm.segment].centre))
+      return std::nullopt;
+    if (!network.is_road(next)) return std::nullopt;
+    for (const double inset_m : {0.0, std::max(p.pavement_m, network.profile(next).pavement_m)}) {
+      const double ring_rad =
+          ring_between(r, j.position, network.kerb_line({next.segment, !next.reversed}, inset_m),
+                       network.kerb_line(arm, inset_m), inset_m);
+      if (ring_rad < 0.1 || ring_rad > 1.5 * pi) return std::nullopt;
+    }
+  }
+  return r;
+}
+
+double roundabout_cut_m(const Roundabout& r, double half_width_m) {
+  constexpr double margin_m = 1.5;  // lanes reach the ring's curve a little before the kerb does
+  const double reach = r.outer_m + r.fillet_m, lateral = half_width_m + r.fillet_m;
+  return std::sqrt(reach * reach - lateral * lateral) + margin_m;
+}
+
+Polyline around_roundabout(const Roundabout& r, const Vec2& middle, const Polyline& arriving,
+                           const Polyline& leaving, double inset_m) {
+  const Station in = end_of(arriving), out = start_of(leaving);
+  const Fillet a = kerb_fillet(r, middle, in.point, in.direction, left_of(in.direction), inset_m),
+               b = kerb_fillet(r, middle, out.point, -out.direction, left_of(out.direction), inset_m);
+  Polyline line = arc(a.centre, a.on_line, sweep(a.centre, a.on_line, a.on_ring), fillet_steps);
+  const double clockwise = ring_between(r, middle, arriving, leaving, inset_m);
+  const Polyline ring = arc(middle, a.on_ring, -clockwise, ring_steps);
+  line.insert(line.end(), ring.begin() + 1, ring.end());
+  const Polyline last = arc(b.centre, b.on_ring, sweep(b.centre, b.on_ring, b.on_line), fillet_steps);
+  line.insert(line.end(), last.begin() + 1, last.end());
+  return line;
+}
+
+Polyline roundabout_way(const Roundabout& r, const Vec2& middle, const Station& from, const Station& to) {
+  constexpr double step_rad = 0.1;
+  const double ring_m = (r.outer_m + r.island_m) / 2;
+  // Right into the ring, left around it, right out of it.
+  const Fillet in = fillet_to_ring(middle, ring_m, from.point, from.direction, -left_of(from.direction),
+                                   r.fillet_m),
+               out = fillet_to_ring(middle, ring_m, to.point, -to.direction, -left_of(to.direction),
+                                    r.fillet_m);
+  double around = sweep(middle, in.on_ring, out.on_ring);
+  if (around < 0) around += 2 * pi;
+  Polyline way{from.point};
+  const auto add = [&](const Polyline& points) {
+    for (const Vec2& p : points)
+      if ((p - way.back()).norm() > 0.05) way.push_back(p);
+  };
+  const auto steps = [](double rad) {
+    return std::max(1, static_cast<int>(std::ceil(std::abs(rad) / step_rad)));
+  };
+  const double enter = sweep(in.centre, in.on_line, in.on_ring),
+               leave = sweep(out.centre, out.on_ring, out.on_line);
+  add(arc(in.centre, in.on_line, enter, steps(enter)));
+  add(arc(middle, in.on_ring, around, steps(around)));
+  add(arc(out.centre, out.on_ring, leave, steps(leave)));
+  if (way.size() > 1 && (to.point - way.back()).norm() < 0.05) way.pop_back();
+  way.push_back(to.point);
+  return way;
+}
+
+Mesh island(const Roundabout& r, const Vec2& middle, const Materials& m) {
+  constexpr double paved_m = 1.3;
+  Mesh mesh{"island", {}};
+  const auto circle = [&](double radius_m) { return arc(middle, middle + Vec2(radius_m, 0), 2 * pi, 48); };
+  const auto ring = [&](MaterialId material, double outer_m, double outer_z, double inner_m, double inner_z,
+                        double tile_m) {
+    add_strip(mesh.surfaces[material], circle(inner_m), circle(outer_m), {inner_z, outer_z, tile_m});
+  };
+  const double kerb = r.island_m, top = kerb_height_m;
+  ring(m.kerb, kerb, -0.05, kerb, top, kerb_tile_m);
+  ring(m.kerb, kerb, top, kerb - kerb_width_m, top, kerb_tile_m);
+  ring(m.paving, kerb - kerb_width_m, top, kerb - paved_m, top, paving_tile_m);
+  const double lawn = kerb - paved_m;
+  const auto mound = [&](double share) { return top + 0.035 * lawn * (1 - share * share); };
+  for (int k = 4; k > 0; --k) {
+    const double outer = k / 4.0, inner = (k - 1) / 4.0;
+    ring(m.grass, lawn * outer, mound(outer), lawn * inner, mound(inner), grass_tile_m);
+  }
+  return mesh;
+}
+
+}  // namespace cps::city

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "scenes/city/draws.h"
+#include "scenes/city/materials/materials.h"
+#include "scenes/city/streets/street_network.h"
+
+/// Roundabouts with one lane around a kerbed island; traffic circles anticlockwise, seen from above.
+namespace cps::city {
+
+/// One for this junction if its arms leave room for it and it is drawn; none where a neighbour has one.
+std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, CityStyle style,
+                                          Draws& draws);
+
+/// Distance from the middle to where the arm's own carriageway begins.
+double roundabout_cut_m(const Roundabout& roundabout, double half_width_m);
+
+/// A block's border from the line that arrives at the junction, around it, to the line that leaves; both
+/// `inset_m` behind the kerb. Always the same number of points.
+Polyline around_roundabout(const Roundabout& roundabout, const Vec2& middle, const Polyline& arriving,
+                           const Polyline& leaving, double inset_m);
+
+/// The way of a vehicle from the end of one lane around to the start of another.
+Polyline roundabout_way(const Roundabout& roundabout, const Vec2& middle, const Station& from,
+                        const Station& to);
+
+/// The island: a kerb, a paved ring, grass that rises to the middle.
+Mesh island(const Roundabout& roundabout, const Vec2& middle, const Materials& materials);
+
+}  // namespace cps::city

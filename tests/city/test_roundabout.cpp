@@ -1,0 +1,110 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+
+#include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/roundabout.h"
+
+using namespace cps;
+using namespace cps::city;
+
+namespace {
+
+StreetNetwork network_of(CityStyle style, std::uint64_t seed) {
+  return draw_street_network({.seed = seed, .style = style, .extent_m = 500});
+}
+
+constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
+                                    CityStyle::industrial, CityStyle::mixed};
+
+}  // namespace
+
+TEST_CASE("every style has cities with roundabouts and without, and no two roundabouts are neighbours") {
+  for (const CityStyle style : all_styles) {
+    INFO(to_string(style));
+    int with = 0, without = 0;
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      const StreetNetwork network = network_of(style, seed);
+      int count = 0;
+      for (const Junction& j : network.junctions) {
+        count += j.roundabout.has_value();
+        for (const Side& arm : j.arms)
+          CHECK_FALSE((j.roundabout && network.junctions[network.end(arm)].roundabout));
+      }
+      ++(count > 0 ? with : without);
+    }
+    CHECK(with > 0);
+    CHECK(without > 0);
+  }
+}
+
+TEST_CASE("traffic circles a roundabout anticlockwise, clear of its island and of the kerb") {
+  int ways = 0;
+  for (const CityStyle style : all_styles)
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const StreetNetwork network = network_of(style, seed);
+      for (const DrivingLane& lane : driving_lanes(network)) {
+        if (lane.junction < 0 || !network.junctions[lane.junction].roundabout) continue;
+        ++ways;
+        const Junction& j = network.junctions[lane.junction];
+        const Roundabout& r = *j.roundabout;
+        double turned = 0;
+        for (double s = 0; s < length(lane.points); s += 0.5) {
+          const Station at = station_at(lane.points, s);
+          const Vec2 spoke = at.point - j.position;
+          if (spoke.norm() - lane.width_m / 2 < r.island_m + 0.2) FAIL_CHECK("over the island");
+          const Vec2 next = station_at(lane.points, s + 0.5).point - j.position;
+          turned += std::atan2(cross(spoke, next), spoke.dot(next));
+          if (spoke.norm() < (r.outer_m + r.island_m) / 2 + 0.1 && cross(spoke, at.direction) <= 0)
+            FAIL_CHECK("the wrong way around");
+        }
+        CHECK(turned > 0);
+        CHECK(turned < 6.2);
+      }
+    }
+  CHECK(ways > 100);
+}
+
+TEST_CASE("at a roundabout every arm that is left leads to every arm that is entered") {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const StreetNetwork network = network_of(CityStyle::suburb, seed);
+    const std::vector<DrivingLane> lanes = driving_lanes(network);
+    for (int j = 0; j < static_cast<int>(network.junctions.size()); ++j) {
+      if (!network.junctions[j].roundabout) continue;
+      std::size_t in = 0, out = 0, both = 0;
+      for (const Side& arm : network.junctions[j].arms) {
+        const StreetProfile& p = network.profile(arm);
+        const bool enters = (arm.reversed ? p.lanes_forward : p.lanes_backward) > 0,
+                   leaves = (arm.reversed ? p.lanes_backward : p.lanes_forward) > 0;
+        in += enters;
+        out += leaves;
+        both += enters && leaves;
+      }
+      std::set<std::pair<int, int>> links;
+      for (std::size_t l = 0; l < lanes.size(); ++l)
+        for (const int next : lanes[l].next)
+          if (lanes[next].junction == j) links.insert({static_cast<int>(l), lanes[next].next.front()});
+      CHECK(links.size() == in * out - both);
+    }
+  }
+}
+
+TEST_CASE("kerbs around a roundabout are parallel rings at their radius") {
+  int rings = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const StreetNetwork network = network_of(CityStyle::industrial, seed);
+    for (const Block& block : network.blocks) {
+      const Outline kerb = outline(network, block, std::vector<double>(block.sides.size(), 0.0), 0);
+      for (const Junction& j : network.junctions) {
+        if (!j.roundabout) continue;
+        for (const Vec2& p : kerb.points) {
+          const double from_ring = (p - j.position).norm() - j.roundabout->outer_m;
+          if (from_ring < -0.01) FAIL_CHECK("a kerb inside the ring");
+          rings += std::abs(from_ring) < 0.01;
+        }
+      }
+    }
+  }
+  CHECK(rings > 100);
+}
