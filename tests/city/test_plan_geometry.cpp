@@ -64,3 +64,15 @@ TEST_CASE("a piece cut from a line has the length asked for and keeps the bends"
   CHECK((station_at(line, 13).point - piece.back()).norm() < 1e-12);
   CHECK(length(subdivided(line, 0.7)) == Approx(20));
 }
+
+TEST_CASE("triangles cover a polygon whose corners repeat") {
+  // A block's border: corners of radius 0 are arcs of one point. Ears next to them used to be overlooked.
+  Polygon polygon;
+  for (const Vec2& corner : {Vec2(0, 0), Vec2(10, 0), Vec2(11, 8), Vec2(5, 4), Vec2(-1, 7)})
+    for (int i = 0; i < 9; ++i) polygon.push_back(corner);
+  polygon.push_back({-0.5, 3.5});
+  double area = 0;
+  for (const auto& [a, b, c] : triangulate(polygon))
+    area += cross(polygon[b] - polygon[a], polygon[c] - polygon[a]) / 2;
+  CHECK(area == Approx(signed_area(polygon)));
+}

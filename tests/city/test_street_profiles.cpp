@@ -29,11 +29,11 @@ TEST_CASE("bays, cycle tracks, lanes and median lie side by side from kerb to ke
       const StreetProfile p = profile_of(style, seed);
       double left = -p.half_width() + p.parking_right_m + p.cycle_right_m;
       for (int lane = 0; lane < p.lanes_forward; ++lane, left += p.lane_width_m)
-        CHECK(p.forward_lane_offset(lane) == Approx(left + p.lane_width_m / 2));
-      if (p.lanes_backward > 0) CHECK(p.divider_offset() == Approx(left + p.median_m / 2));
+        CHECK(p.forward_lane_offset(lane) == Approx(left + p.lane_width_m / 2).margin(1e-9));
+      if (p.lanes_backward > 0) CHECK(p.divider_offset() == Approx(left + p.median_m / 2).margin(1e-9));
       left += p.median_m;
       for (int lane = p.lanes_backward - 1; lane >= 0; --lane, left += p.lane_width_m)
-        CHECK(p.backward_lane_offset(lane) == Approx(left + p.lane_width_m / 2));
+        CHECK(p.backward_lane_offset(lane) == Approx(left + p.lane_width_m / 2).margin(1e-9));
       CHECK(left + p.cycle_left_m + p.parking_left_m == Approx(p.half_width()));
       for (const double cycle_m : {p.cycle_left_m, p.cycle_right_m}) {
         CHECK((cycle_m == 0 || (cycle_m >= 1.5 && cycle_m <= 1.85)));

@@ -155,8 +155,10 @@ Polyline fillet(const Vec2& corner, const Vec2& direction_in, const Vec2& direct
 }
 
 std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
-  std::vector<int> ring(polygon.size());
-  std::iota(ring.begin(), ring.end(), 0);
+  std::vector<int> ring;  // a point that repeats would keep both its neighbours from being ears
+  for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
+    if (ring.empty() || (polygon[i] - polygon[ring.back()]).norm() > 1e-6) ring.push_back(i);
+  while (ring.size() > 1 && (polygon[ring.back()] - polygon[ring.front()]).norm() <= 1e-6) ring.pop_back();
   std::vector<std::array<int, 3>> triangles;
   const auto is_ear = [&](std::size_t i) {
     const int a = ring[(i + ring.size() - 1) % ring.size()], b = ring[i], c = ring[(i + 1) % ring.size()];

@@ -71,26 +71,17 @@ double ring_between(const Roundabout& r, const Vec2& middle, const Polyline& arr
   return std::remainder(between - pi, 2 * pi) + pi;
 }
 
-double share_of(CityStyle style) {
-  switch (style) {
-    case CityStyle::downtown:
-      return 0.25;
-    case CityStyle::european:
-    case CityStyle::mixed:
-      return 0.3;
-    case CityStyle::suburb:
-      return 0.3;
-    case CityStyle::industrial:
-      return 0.5;
-  }
-  return 0;
-}
-
 }  // namespace
 
-std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, CityStyle style,
+double draw_roundabout_share(CityStyle style, Draws& draws) {
+  const bool none = draws.chance(0.35);
+  const double share = draws.uniform(0.1, style == CityStyle::industrial ? 0.6 : 0.4);
+  return none ? 0 : share;
+}
+
+std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, double share,
                                           Draws& draws) {
-  const bool wanted = draws.chance(share_of(style));
+  const bool wanted = draws.chance(share);
   Roundabout r;
   r.outer_m = draws.uniform(13.5, 17);
   r.island_m = r.outer_m - draws.uniform(5.5, 6.8);

@@ -9,8 +9,11 @@
 /// Roundabouts with one lane around a kerbed island; traffic circles anticlockwise, seen from above.
 namespace cps::city {
 
-/// One for this junction if its arms leave room for it and it is drawn; none where a neighbour has one.
-std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, CityStyle style,
+/// How many of the junctions with room for one a city of that style makes roundabouts: often none.
+double draw_roundabout_share(CityStyle style, Draws& draws);
+
+/// A roundabout for this junction with that probability, if its arms leave room; none beside another one.
+std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junction, double share,
                                           Draws& draws);
 
 /// Distance from the middle to where the arm's own carriageway begins.

@@ -111,12 +111,14 @@ double& cut_of(StreetNetwork& network, const Side& arm) {
 
 void shape_junctions(StreetNetwork& network, const CityOptions& options) {
   const Stream roundabouts = make_stream(options.seed, "roundabouts");
+  Draws city_wide{substream(roundabouts, 0)};
+  const double roundabout_share = draw_roundabout_share(options.style, city_wide);
   for (std::size_t j = 0; j < network.junctions.size(); ++j) {
     Junction& junction = network.junctions[j];
     Draws draws{substream(make_stream(options.seed, "junction"), j)};
     junction.radii.assign(junction.arms.size(), 0);
-    Draws own{substream(roundabouts, j)};
-    junction.roundabout = draw_roundabout(network, static_cast<int>(j), options.style, own);
+    Draws own{substream(roundabouts, 1 + j)};
+    junction.roundabout = draw_roundabout(network, static_cast<int>(j), roundabout_share, own);
     if (junction.roundabout) {
       for (const Side& arm : junction.arms)
         cut_of(network, arm) =
@@ -146,6 +148,8 @@ void shape_junctions(StreetNetwork& network, const CityOptions& options) {
 Polygon junction_border(const StreetNetwork& network, int junction) {
   const std::vector<Side>& arms = network.junctions[junction].arms;
   Polygon border;
+  if (std::none_of(arms.begin(), arms.end(), [&](const Side& arm) { return network.is_road(arm); }))
+    return border;
   for (std::size_t i = 0; i < arms.size(); ++i) {
     const Side arm = arms[i], next = arms[(i + 1) % arms.size()];
     if (network.is_road(arm)) {
