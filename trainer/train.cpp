@@ -16,6 +16,7 @@
 #include "trainer/inference.h"
 #include "trainer/model_card.h"
 #include "trainer/samples.h"
+#include "trainer/threads.h"
 #include "trainer/training_state.h"
 
 namespace cps {
@@ -156,7 +157,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
                    bool resume, const EpochCallback& on_epoch) {
   const auto start = Clock::now();
   ModelCard card = start_card(dataset, model_folder, options, resume);
-  if (card.options.threads > 0) torch::set_num_threads(card.options.threads);
+  use_threads(card.options.threads);
   std::error_code error;
   fs::create_directories(model_folder, error);
   if (error)

@@ -6,6 +6,7 @@
 #include "apps/train/verbs.h"
 #include "dataset/files.h"
 #include "trainer/evaluate.h"
+#include "trainer/threads.h"
 
 namespace po = boost::program_options;
 
@@ -26,6 +27,7 @@ int eval_verb(const Arguments& arguments) {
           options, {}, values))
     return 0;
   po::notify(values);
+  use_threads(0);
 
   const Part measured = usage_checked([&] { return part_from_string(part); });
   if (measured == Part::all) throw po::error("--part: say train, val or test");

@@ -5,6 +5,7 @@
 #include "apps/options.h"
 #include "apps/train/verbs.h"
 #include "dataset/files.h"
+#include "trainer/threads.h"
 
 namespace po = boost::program_options;
 
@@ -28,6 +29,7 @@ int predict_verb(const Arguments& arguments) {
           options, positional, values))
     return 0;
   po::notify(values);
+  use_threads(0);
 
   const Predictor predictor{std::filesystem::path(model)};
   const std::vector<ImagePrediction> predictions =
