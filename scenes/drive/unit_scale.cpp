@@ -1,12 +1,27 @@
 #include "scenes/drive/unit_scale.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace cps {
+namespace {
+
+/// From the lowest to the highest twentieth of all vertices: a mast or a mountain backdrop does not count.
+double height_of_most(const Scene& scene) {
+  std::vector<float> heights;
+  for (const Instance& instance : scene.instances)
+    for (const Eigen::Vector3f& position : scene.meshes[instance.mesh].positions)
+      heights.push_back((instance.world_from_mesh * position).y());
+  if (heights.empty()) return 0;
+  std::sort(heights.begin(), heights.end());
+  return heights[heights.size() - 1 - heights.size() / 20] - heights[heights.size() / 20];
+}
+
+}  // namespace
 
 double guess_unit_scale(const Scene& scene) {
   const Eigen::Vector3d size = scene.bounds.sizes().cast<double>();
-  const double height = size.y(), width = std::max(size.x(), size.z());
+  const double height = height_of_most(scene), width = std::max(size.x(), size.z());
   const auto is_high = [&](double scale) { return scale * height >= 3 && scale * height <= 60; };
   const auto is_wide = [&](double scale) { return scale * width >= 20 && scale * width <= 20'000; };
   constexpr double scales[] = {1, 0.1, 10, 0.01, 100, 0.001, 1000};

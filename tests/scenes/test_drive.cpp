@@ -107,6 +107,12 @@ TEST_CASE("the unit is guessed as a power of ten") {
   }
 }
 
+TEST_CASE("a mast does not make a street of metres one of decimetres") {
+  Scene scene = street();
+  add_box(scene, {0, 0, 0}, {1, 350, 1});
+  CHECK(guess_unit_scale(scene) == 1);
+}
+
 TEST_CASE("a scaled lamp lights its scaled surroundings as before") {
   Scene scene = street();
   scene.lights = {{.name = "lamp", .position = {1, 2, 3}, .intensity = {1, 1, 1}},
