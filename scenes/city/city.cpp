@@ -118,12 +118,14 @@ void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const
     const WallMaterial cover = ground_material(materials, pad.kind);
     add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m);
   }
+  refine(ground.surfaces[materials.gutter], longest_road_edge_m);  // it lies on the asphalt
   for (auto& [material, piece] : ground.surfaces) {
     if (material == materials.kerb || material == materials.gutter) continue;
-    refine(piece, longest_ground_edge_m);  // something for the weathering to live on
+    refine(piece, longest_block_edge_m);  // something for the weathering to live on
     shade(piece, [stream = make_stream(seed, "weathering")](const Vec2& p) { return weathering(stream, p); });
   }
-  add_ground(writer, std::move(ground), name, terrain);
+  drape(ground, terrain, longest_block_edge_m);
+  add_static(writer, std::move(ground), name);
   const Stream buildings = substream(make_stream(seed, "building"), index);
   for (std::size_t k = 0; k < plan.buildings.size(); ++k)
     add_building(writer, plan.buildings[k], materials, terrain, substream(buildings, k),

@@ -76,3 +76,22 @@ TEST_CASE("triangles cover a polygon whose corners repeat") {
     area += cross(polygon[b] - polygon[a], polygon[c] - polygon[a]) / 2;
   CHECK(area == Approx(signed_area(polygon)));
 }
+
+TEST_CASE("triangles of a convex floor are Delaunay's: none is needlessly long") {
+  Polygon polygon;  // a block with rounded corners
+  for (const auto& [corner, in, out] : {std::tuple{Vec2(0, 0), Vec2(0, -1), Vec2(1, 0)},
+                                        {Vec2(60, 0), Vec2(1, 0), Vec2(0, 1)},
+                                        {Vec2(60, 50), Vec2(0, 1), Vec2(-1, 0)},
+                                        {Vec2(0, 50), Vec2(-1, 0), Vec2(0, -1)}})
+    for (const Vec2& p : fillet(corner, in, out, 6, 8)) polygon.push_back(p);
+  double area = 0;
+  for (const auto& [i, j, k] : triangulate(polygon)) {
+    const Vec2 a = polygon[i], b = polygon[j] - a, c = polygon[k] - a;
+    area += cross(b, c) / 2;
+    const Vec2 to_centre = Vec2(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
+                                b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
+                           (2 * cross(b, c));
+    for (const Vec2& p : polygon) CHECK((p - a - to_centre).norm() > to_centre.norm() - 1e-3);
+  }
+  CHECK(area == Approx(signed_area(polygon)));
+}

@@ -120,7 +120,7 @@ TEST_CASE("a block's pavements and its ground meet without a gap on a slope") {
       const Outline border =
           outline(network, block, pavement_m, *std::max_element(pavement_m.begin(), pavement_m.end()));
       add_floor(mesh.surfaces[9], border.points, kerb_height_m, 1);
-      drape(mesh, steep());
+      drape(mesh, steep(), longest_block_edge_m);
       // Paving and ground together are bounded by the line behind the kerb stones alone, where the kerb's own
       // edges close it.
       std::vector<const Surface*> surfaces{&mesh.surfaces[materials.paving], &mesh.surfaces[9],

@@ -15,7 +15,7 @@ constexpr double highest_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m =
 
 double lowest_along(const Vec2& from, const Vec2& to, const Terrain& terrain) {
   double lowest = terrain.height_m(to);
-  for (const Vec2& p : subdivided({from, to}, longest_ground_edge_m))
+  for (const Vec2& p : subdivided({from, to}, longest_road_edge_m))
     lowest = std::min(lowest, terrain.height_m(p));
   return lowest;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace cps::city {
@@ -154,6 +155,53 @@ Polyline fillet(const Vec2& corner, const Vec2& direction_in, const Vec2& direct
   return arc;
 }
 
+namespace {
+
+using Triangle = std::array<int, 3>;
+
+/// Whether d lies inside the circle through a, b and c (anticlockwise).
+bool in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const Vec2 u = a - d, v = b - d, w = c - d;
+  return u.squaredNorm() * cross(v, w) + v.squaredNorm() * cross(w, u) + w.squaredNorm() * cross(u, v) > 1e-6;
+}
+
+/// Exchanges diagonals until none can be made better (Lawson 1977): ears alone leave long slivers.
+void flip_diagonals(const Polygon& p, std::vector<Triangle>& triangles) {
+  std::map<std::pair<int, int>, int> owner;  // of an edge in its triangle's direction
+  const auto own = [&](int t) {
+    for (int k = 0; k < 3; ++k) owner[{triangles[t][k], triangles[t][(k + 1) % 3]}] = t;
+  };
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) own(t);
+  const auto is_front = [&](int a, int b, int c) { return cross(p[b] - p[a], p[c] - p[a]) > 1e-6; };
+  const auto flip_one = [&](int t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3], c = triangles[t][(k + 2) % 3];
+      const auto other = owner.find({b, a});
+      if (other == owner.end()) continue;
+      const int u = other->second, d = triangles[u][0] + triangles[u][1] + triangles[u][2] - a - b;
+      if (!in_circle(p[a], p[b], p[c], p[d]) || !is_front(c, a, d) || !is_front(d, b, c)) continue;
+      owner.erase({a, b});
+      owner.erase({b, a});
+      triangles[t] = {c, a, d};
+      triangles[u] = {d, b, c};
+      own(t);
+      own(u);
+      return true;
+    }
+    return false;
+  };
+  const std::size_t most = triangles.size() * triangles.size();  // flips that a planar set can need
+  std::size_t flips = 0;
+  for (std::size_t quiet = 0, t = 0; quiet < triangles.size() && flips < most;
+       t = (t + 1) % triangles.size()) {
+    const bool flipped = flip_one(static_cast<int>(t));
+    flips += flipped;
+    quiet = flipped ? 0 : quiet + 1;
+  }
+}
+
+}  // namespace
+
 std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
   std::vector<int> ring;  // a point that repeats would keep both its neighbours from being ears
   for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
@@ -180,6 +228,7 @@ std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
         {ring[(ear + ring.size() - 1) % ring.size()], ring[ear], ring[(ear + 1) % ring.size()]});
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
   }
+  flip_diagonals(polygon, triangles);
   return triangles;
 }
 

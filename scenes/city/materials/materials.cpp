@@ -41,7 +41,7 @@ void add_ground(GlbWriter& writer, Materials& m, std::uint64_t seed) {
       textured(writer, "asphalt", asphalt_texture(make_stream(seed, "asphalt")));
   m.asphalt = writer.add_material(asphalt);
   m.cycle_track = writer.add_material(tinted(asphalt, "cycle_track", {1.0, 0.36, 0.26}));
-  m.rail = writer.add_material(plain("rail", {0.42, 0.40, 0.38}, 0.25, 0.9));
+  m.rail = writer.add_material(plain("rail", {0.36, 0.34, 0.32}, 0.45, 0.9));
   m.asphalt_patch = writer.add_material(tinted(asphalt, "asphalt_patch", {0.62, 0.62, 0.64}));
   m.tar = writer.add_material(plain("tar", {0.022, 0.022, 0.024}, 0.55));
   m.paving = writer.add_material(textured(writer, "paving", paving_texture(make_stream(seed, "paving"))));

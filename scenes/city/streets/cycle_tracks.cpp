@@ -25,8 +25,8 @@ void paint_bicycle(Surface& paint, const Vec2& at, const Vec2& ahead) {
   const Vec2 rear(-0.33, 0.25), front(0.33, 0.25), pedals(-0.04, 0.27), seat(-0.14, 0.68), head(0.2, 0.68);
   for (const Vec2& hub : {rear, front}) {
     std::vector<Vec2> wheel;
-    for (int i = 0; i <= 16; ++i) {
-      const double a = 2 * std::numbers::pi * i / 16;
+    for (int i = 0; i <= 12; ++i) {
+      const double a = 2 * std::numbers::pi * i / 12;
       wheel.push_back(hub + 0.21 * Vec2(std::cos(a), std::sin(a)));
     }
     draw(wheel);

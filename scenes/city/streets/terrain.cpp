@@ -74,15 +74,15 @@ void lift_onto(Mesh& mesh, const Terrain& terrain) {
     }
 }
 
-void drape(Mesh& mesh, const Terrain& terrain) {
+void drape(Mesh& mesh, const Terrain& terrain, double longest_edge_m) {
   if (terrain.waves.empty()) return;
-  for (auto& [material, surface] : mesh.surfaces) refine(surface, longest_ground_edge_m);
+  for (auto& [material, surface] : mesh.surfaces) refine(surface, longest_edge_m);
   lift_onto(mesh, terrain);
 }
 
 std::vector<Vec3> on_terrain(const Polyline& line, const Terrain& terrain) {
   std::vector<Vec3> points;
-  for (const Vec2& p : terrain.waves.empty() ? line : subdivided(line, longest_ground_edge_m))
+  for (const Vec2& p : terrain.waves.empty() ? line : subdivided(line, longest_road_edge_m))
     points.push_back(lift(p, terrain.height_m(p)));
   return points;
 }

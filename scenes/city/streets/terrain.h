@@ -31,17 +31,18 @@ double slope_limit(CityStyle style);
 Terrain draw_terrain(const CityOptions& options);
 
 /// No edge of draped ground is longer. At the sharpest bend a wave can have (6 % over 350 m) a face of that
-/// size leaves the terrain by 1.7 mm, less than the patches lie above the asphalt.
-inline constexpr double longest_ground_edge_m = 3.5;
+/// size leaves the terrain by 1.7 mm on roads, less than the patches lie above the asphalt, and by 8 mm on
+/// blocks, less than the pads' rise.
+inline constexpr double longest_road_edge_m = 3.5, longest_block_edge_m = 7.5;
 
 /// Lifts every vertex by the terrain's height there.
 void lift_onto(Mesh& mesh, const Terrain& terrain);
 
 /// The same for ground that is seen from near: divides the mesh finely first. Edges that faces of two meshes
 /// share stay shared.
-void drape(Mesh& mesh, const Terrain& terrain);
+void drape(Mesh& mesh, const Terrain& terrain, double longest_edge_m = longest_road_edge_m);
 
-/// The line with the terrain's heights, in glTF's frame, no piece longer than `longest_ground_edge_m`.
+/// The line with the terrain's heights, in glTF's frame, no piece longer than `longest_road_edge_m`.
 std::vector<Vec3> on_terrain(const Polyline& line, const Terrain& terrain);
 
 }  // namespace cps::city

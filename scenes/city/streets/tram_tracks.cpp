@@ -8,7 +8,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double head_m = 0.06, groove_m = 0.04, bed_m = 0.30;
+constexpr double head_m = 0.06, groove_m = 0.04, bed_m = 0.24;
 
 /// Through the junctions; at either end only up to the street's own carriageway.
 Polyline whole_line(const StreetNetwork& network, const Street& street) {
