@@ -118,3 +118,18 @@ TEST_CASE("every lane can be reached from every other") {
       REQUIRE(reachable_from(all, static_cast<int>(first)) == all.size());
   }
 }
+
+TEST_CASE("every lane can be reached, over twenty seeds of every style", "[slow]") {
+  for (const std::string& style : city_style_names())
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      INFO(style << " " << seed);
+      const std::vector<DrivingLane> all =
+          driving_lanes(draw_street_network({.seed = seed, .style = city_style_from(style)}));
+      // Strongly connected: from one lane to all, and from all to that one.
+      REQUIRE(reachable_from(all, 0) == all.size());
+      std::vector<DrivingLane> backwards(all.size());
+      for (std::size_t lane = 0; lane < all.size(); ++lane)
+        for (const int next : all[lane].next) backwards[next].next.push_back(static_cast<int>(lane));
+      REQUIRE(reachable_from(backwards, 0) == all.size());
+    }
+}

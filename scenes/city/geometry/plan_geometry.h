@@ -60,7 +60,8 @@ double distance_to_line(const Polyline& line, const Vec2& point);
 Polyline fillet(const Vec2& corner, const Vec2& direction_in, const Vec2& direction_out, double radius_m,
                 int steps);
 
-/// Ear clipping (Meisters 1975) of a simple anticlockwise polygon, its diagonals then exchanged for short ones.
+/// Ear clipping (Meisters 1975) of a simple anticlockwise polygon, its diagonals then exchanged for short
+/// ones.
 std::vector<std::array<int, 3>> triangulate(const Polygon& polygon);
 
 }  // namespace cps::city
