@@ -32,7 +32,7 @@ PathSource make_path_source(const Camera& camera, const RenderOptions& options) 
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index) {
   const Sampler sampler = make_sampler(source.seed, x, y, static_cast<std::uint32_t>(index));
   return path_along(source, pixel, sampler, static_cast<std::uint64_t>(index),
-                    sample_filter(source.filter, sampler.pair(pair_pixel)));
+                    sample_filter(source.filter, sampler.joint_pair(joint_pixel)));
 }
 
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y) {

@@ -39,7 +39,8 @@ struct Path {
 };
 
 /// Which pair of the sampler each decision draws.
-enum PairIndex : std::uint32_t { pair_pixel, pair_first_vertex };
+enum PairIndex : std::uint32_t { pair_first_vertex };
+enum JointPair : std::uint32_t { joint_pixel, joint_first_direction };
 
 /// Traces the paths that are alive to their ends: unidirectional path tracing with next-event estimation of
 /// sun, sky and lamps, multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). They

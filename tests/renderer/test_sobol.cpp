@@ -1,5 +1,7 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "renderer/fast_math.h"
@@ -22,13 +24,19 @@ TEST_CASE("The second Sobol coordinate is the product of the index with its dire
 }
 
 TEST_CASE("Every power-of-two run of samples is a (0,m,2)-net in every pair") {
-  for (std::uint32_t set : {0u, 1u, 17u}) {
+  const auto padded = [](std::uint32_t set) { return [set](const Sampler& s) { return s.pair(set); }; };
+  const auto joint = [](std::uint32_t which) {
+    return [which](const Sampler& s) { return s.joint_pair(which); };
+  };
+  const std::function<Eigen::Vector2f(const Sampler&)> pairs[] = {padded(0), padded(1), padded(17), joint(0),
+                                                                  joint(1)};
+  for (const auto& pair : pairs) {
     for (int m : {4, 6, 8}) {
       for (std::uint32_t run = 0; run < 3; ++run) {
         for (int bits_x = 0; bits_x <= m; ++bits_x) {
           std::set<std::pair<int, int>> boxes;
           for (std::uint32_t i = 0; i < 1u << m; ++i) {
-            const Eigen::Vector2f p = make_sampler(5, 3, 4, (run << m) + i).pair(set);
+            const Eigen::Vector2f p = pair(make_sampler(5, 3, 4, (run << m) + i));
             boxes.emplace(static_cast<int>(std::ldexp(p.x(), bits_x)),
                           static_cast<int>(std::ldexp(p.y(), m - bits_x)));
           }
@@ -39,19 +47,44 @@ TEST_CASE("Every power-of-two run of samples is a (0,m,2)-net in every pair") {
   }
 }
 
+TEST_CASE("Every run of 4^m samples is a (0,m,4)-net in base 4 in the joint pairs") {
+  for (int m = 1; m <= 4; ++m) {
+    const std::uint32_t samples = 1u << (2 * m);
+    for (std::uint32_t run : {0u, 1u, 2u, 65536 / samples - 1}) {
+      // Boxes of 4^-m, cut into 4^a · 4^b · 4^c · 4^d parts along the axes.
+      for (int a = 0; a <= m; ++a)
+        for (int b = 0; a + b <= m; ++b)
+          for (int c = 0; a + b + c <= m; ++c) {
+            const int d = m - a - b - c;
+            std::set<std::array<int, 4>> boxes;
+            for (std::uint32_t i = 0; i < samples; ++i) {
+              const Sampler sampler = make_sampler(6, 1, 2, run * samples + i);
+              const Eigen::Vector2f p = sampler.joint_pair(0), q = sampler.joint_pair(1);
+              boxes.insert(
+                  {static_cast<int>(std::ldexp(p.x(), 2 * a)), static_cast<int>(std::ldexp(p.y(), 2 * b)),
+                   static_cast<int>(std::ldexp(q.x(), 2 * c)), static_cast<int>(std::ldexp(q.y(), 2 * d))});
+            }
+            REQUIRE(boxes.size() == samples);
+          }
+    }
+  }
+}
+
 TEST_CASE("Scrambles are uniform over pixels, and independent of each other") {
   // One sample of each of many pixels: uniform in the square; and so are coordinates of different pairs
   // together.
   constexpr int cells = 16, pixels = 100000;
-  std::vector<double> pair_counts(cells * cells), mixed_counts(cells * cells);
+  std::vector<double> pair_counts(cells * cells), mixed_counts(cells * cells), joint_counts(cells * cells);
   const std::vector<double> expected(cells * cells, static_cast<double>(pixels) / (cells * cells));
   for (int i = 0; i < pixels; ++i) {
     const Sampler sampler = make_sampler(7, i % 400, i / 400, 0);
-    const Eigen::Vector2f a = sampler.pair(2), b = sampler.pair(3);
+    const Eigen::Vector2f a = sampler.pair(2), b = sampler.pair(3), c = sampler.joint_pair(1);
     ++pair_counts[static_cast<int>(a.x() * cells) * cells + static_cast<int>(a.y() * cells)];
     ++mixed_counts[static_cast<int>(a.x() * cells) * cells + static_cast<int>(b.x() * cells)];
+    ++joint_counts[static_cast<int>(c.x() * cells) * cells + static_cast<int>(c.y() * cells)];
   }
   CHECK(chi_squared_p_value(pair_counts, expected) > 1e-4);
+  CHECK(chi_squared_p_value(joint_counts, expected) > 1e-4);
   CHECK(chi_squared_p_value(mixed_counts, expected) > 1e-4);
 }
 
