@@ -19,6 +19,7 @@
 #include "sampler/plan.h"
 #include "sampler/rig_file.h"
 #include "scenes/drive/unit_scale.h"
+#include "scenes/ego_bonnet.h"
 #include "scenes/gltf_import.h"
 
 namespace po = boost::program_options;
@@ -67,9 +68,10 @@ ViewRecord make_view(const Plan& plan, std::int64_t index, const RenderScene& sc
   return record;
 }
 
-Scene load_scene(const PlannedScene& planned) {
+Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
   Scene scene = import_gltf(planned.file);
   scale_scene(scene, planned.metres_per_unit);
+  if (recipe.ego_bonnet) add_ego_bonnet(scene);
   return scene;
 }
 
@@ -78,7 +80,7 @@ void generate(const Plan& plan, Journal& journal, const fs::path& root) {
     write_json(root / group.folder / "calibration.json", to_json(group_label(plan, group)));
   Progress progress("views", static_cast<std::int64_t>(journal.finished().size()),
                     static_cast<std::int64_t>(plan.views.size()));
-  std::shared_ptr<const RenderScene> scene;
+  std::shared_ptr<RenderScene> scene;
   int loaded = -1;
   for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
     if (journal.finished().contains(v)) continue;
@@ -86,9 +88,10 @@ void generate(const Plan& plan, Journal& journal, const fs::path& root) {
     const PlannedCondition& condition = plan.conditions[view.condition];
     const PlannedScene& place = plan.scenes[condition.scene];
     if (loaded != view.condition) {
-      scene = build_render_scene(load_scene(place), condition.light.daylight);
+      scene = build_render_scene(load_scene(place, plan.recipe), condition.light.daylight);
       loaded = view.condition;
     }
+    put_car(*scene, world_from_vehicle(view.place));
     journal.append(make_view(plan, v, *scene, root));
     progress.advance(1, place.file.filename().string() + " " + plan.sets[view.set].folder);
   }

@@ -178,7 +178,8 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
     if (mesh.triangles.empty() || instance.world_from_mesh.linear().determinant() == 0) continue;
     Placement placement;
     placement.instance = static_cast<int>(&instance - scene.instances.data());
-    placement.shared = is_shared(mesh, copies[instance.mesh]);
+    placement.rides = instance.rides;
+    placement.shared = instance.rides || is_shared(mesh, copies[instance.mesh]);
     if (!placement.shared) {
       placement.geometry = static_cast<int>(jobs.size());
       jobs.push_back({&mesh, instance.world_from_mesh});

@@ -36,6 +36,7 @@ struct Placement {
   int instance = 0;       ///< of the scene
   bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
   bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
+  bool rides = false;     ///< with the car, and is shared: see put_car
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
   Eigen::Matrix3f normal_from_mesh =
       Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front

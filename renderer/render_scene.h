@@ -15,6 +15,7 @@ struct RenderScene {
 
   Materials materials;
   PlacedGeometry placed;
+  std::vector<Eigen::Affine3f> vehicle_from_mesh;  ///< of the placements that ride, in their order
   Bvh bvh;
   Lamps lamps;
   Sky sky;

@@ -6,6 +6,7 @@
 
 #include "distortion/pinhole.h"
 #include "renderer/atmosphere.h"
+#include "renderer/spectrum.h"
 
 namespace cps {
 namespace {
@@ -79,12 +80,10 @@ SkyAndSun make_clear_day(const Daylight& daylight) {
 Sky make_overcast_sky(const Daylight& daylight) {
   const Vec3 to_sun = direction_to_sun(daylight);
   const Atmosphere atmosphere = make_atmosphere(daylight.turbidity);
-  const Color above_clouds =
-      on_level_ground(clear_dome(atmosphere, to_sun), to_sun, sun_irradiance(atmosphere, to_sun));
   const float under_clouds_klx = 0.3f + 21.0f * std::max(0.0f, to_sun.y());
   // ∫ (1 + 2 sin γ)/3 · sin γ over the upper half is 7π/9.
-  const Color zenith =
-      above_clouds / luminance(above_clouds) * (under_clouds_klx * 9.0f / (7.0f * std::numbers::pi_v<float>));
+  const Color white = d65_white() / luminance(d65_white());
+  const Color zenith = white * (under_clouds_klx * 9.0f / (7.0f * std::numbers::pi_v<float>));
 
   Sky sky = make_empty_sky(sky_columns, sky_rows, Rows::crowded_at_horizon);
   for (int row = sky_rows / 2; row < sky_rows; ++row) {

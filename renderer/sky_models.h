@@ -18,8 +18,8 @@ SkyAndSun make_sky_and_sun(const Daylight& daylight);
 SkyAndSun make_clear_day(const Daylight& daylight);
 
 /// The CIE's standard overcast sky (Moon & Spencer 1942; CIE S 011), three times brighter overhead than at
-/// the horizon, as bright as overcast skies are on average by the sun's height (Krochmann 1963), coloured
-/// like all the daylight that falls on the clouds; below the horizon a plain.
+/// the horizon, as bright as overcast skies are on average by the sun's height (Krochmann 1963), of CIE
+/// D65's white, the daylight of no particular sky; below the horizon a plain.
 Sky make_overcast_sky(const Daylight& daylight);
 
 /// An equirectangular picture (see Daylight). Throws std::runtime_error naming the file where it cannot be

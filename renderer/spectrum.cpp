@@ -56,17 +56,22 @@ Eigen::Vector3d observer(double nm) {
           1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
 }
 
-/// Rows: what a unit of spectral power in every bin adds to red, green and blue.
-Eigen::Matrix<float, 3, bins> rec709_from_bins() {
-  Eigen::Matrix3d rec709_from_xyz, cones_from_xyz;
-  rec709_from_xyz << 3.2406255, -1.5372080, -0.4986286, -0.9689307, 1.8757561, 0.0415175, 0.0557101,
-      -0.2040211, 1.0569959;
+const Eigen::Vector3d d55_xyz(0.95682, 1, 0.92149), d65_xyz(0.95047, 1, 1.08883);
+
+/// For a camera balanced for D55.
+Eigen::Matrix3d rec709_from_xyz() {
+  Eigen::Matrix3d rec709_of_d65, cones_from_xyz;
+  rec709_of_d65 << 3.2406255, -1.5372080, -0.4986286, -0.9689307, 1.8757561, 0.0415175, 0.0557101, -0.2040211,
+      1.0569959;
   cones_from_xyz << 0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685,
       1.0296;  // Bradford (Lam 1985)
-  const Eigen::Vector3d d55(0.95682, 1, 0.92149), d65(0.95047, 1, 1.08883);
-  const Eigen::Vector3d gains = (cones_from_xyz * d65).cwiseQuotient(cones_from_xyz * d55);
-  const Eigen::Matrix3d balanced =
-      rec709_from_xyz * cones_from_xyz.inverse() * gains.asDiagonal() * cones_from_xyz;
+  const Eigen::Vector3d gains = (cones_from_xyz * d65_xyz).cwiseQuotient(cones_from_xyz * d55_xyz);
+  return rec709_of_d65 * cones_from_xyz.inverse() * gains.asDiagonal() * cones_from_xyz;
+}
+
+/// Rows: what a unit of spectral power in every bin adds to red, green and blue.
+Eigen::Matrix<float, 3, bins> rec709_from_bins() {
+  const Eigen::Matrix3d balanced = rec709_from_xyz();
   constexpr double kilolumen_per_watt = 0.683;
   constexpr int steps = 45;
   Eigen::Matrix<float, 3, bins> matrix;
@@ -96,6 +101,10 @@ Spectrum ozone_cross_section() {
 Color to_rec709(const Spectrum& spectrum) {
   static const Eigen::Matrix<float, 3, bins> matrix = rec709_from_bins();
   return (matrix * spectrum.matrix()).array().max(0.0f);
+}
+
+Color d65_white() {
+  return (rec709_from_xyz() * d65_xyz).cast<float>().array();
 }
 
 }  // namespace cps

@@ -31,11 +31,15 @@ RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
   return triangles;
 }
 
+void set_transform(RTCGeometry instance, const Placement& placement) {
+  const Eigen::Matrix<float, 3, 4> columns = placement.world_from_mesh.matrix().topRows<3>();
+  rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+}
+
 RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& placement) {
   RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(instance, shared);
-  const Eigen::Matrix<float, 3, 4> columns = placement.world_from_mesh.matrix().topRows<3>();
-  rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  set_transform(instance, placement);
   rtcSetGeometryMask(instance, viewer_mask | light_mask);
   rtcCommitGeometry(instance);
   return instance;
@@ -115,17 +119,34 @@ Bvh::Bvh(const PlacedGeometry& placed) : device(rtcNewDevice("isa=avx2")) {
       }
       RTCGeometry embree = placement.shared ? make_instance(device.get(), shared.get(), placement)
                                             : make_triangles(device.get(), geometry);
-      rtcAttachGeometryByID(scene.get(), embree, static_cast<unsigned>(i));
+      if (placement.rides && !riding) riding.reset(new_scene(device.get()));
+      rtcAttachGeometryByID(placement.rides ? riding.get() : scene.get(), embree, static_cast<unsigned>(i));
       rtcReleaseGeometry(embree);
     }
     rtcCommitScene(scene.get());
+    if (riding) rtcCommitScene(riding.get());
+  });
+  check(device.get());
+}
+
+void Bvh::move_riding(const PlacedGeometry& placed) {
+  if (!riding) return;
+  tbb::task_arena one_thread(1);
+  one_thread.execute([&] {
+    for (std::size_t i = 0; i < placed.placements.size(); ++i) {
+      if (!placed.placements[i].rides) continue;
+      RTCGeometry instance = rtcGetGeometry(riding.get(), static_cast<unsigned>(i));
+      set_transform(instance, placed.placements[i]);
+      rtcCommitGeometry(instance);
+    }
+    rtcCommitScene(riding.get());
   });
   check(device.get());
 }
 
 namespace {
 
-Hit nearest(RTCScene scene, const Ray& ray, RTCFilterFunctionN filter) {
+Hit nearest(RTCScene scene, RTCScene riding, const Ray& ray, RTCFilterFunctionN filter) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.filter = filter;
@@ -133,6 +154,7 @@ Hit nearest(RTCScene scene, const Ray& ray, RTCFilterFunctionN filter) {
   query.ray = to_embree(ray);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &context, &query);
+  if (riding) rtcIntersect1(riding, &context, &query);
   const RTCHit& hit = query.hit;
   return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v,
           query.ray.tfar};
@@ -141,11 +163,11 @@ Hit nearest(RTCScene scene, const Ray& ray, RTCFilterFunctionN filter) {
 }  // namespace
 
 Hit Bvh::intersect(const Ray& ray) const {
-  return nearest(scene.get(), ray, nullptr);
+  return nearest(scene.get(), riding.get(), ray, nullptr);
 }
 
 Hit Bvh::intersect_shown(const Ray& ray) const {
-  return nearest(scene.get(), ray, filter_backs);
+  return nearest(scene.get(), riding.get(), ray, filter_backs);
 }
 
 void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
@@ -161,6 +183,7 @@ void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active
     query.hit.geomID[lane] = query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
   }
   rtcIntersect8(valid, scene.get(), &context, &query);
+  if (riding) rtcIntersect8(valid, riding.get(), &context, &query);
   const RTCHit8& hit = query.hit;
   for (int lane = 0; lane < packet_size; ++lane) {
     const bool instanced = hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
@@ -175,6 +198,7 @@ Color Bvh::transmittance(const Ray& ray) const {
   RTCRay query = to_embree(ray);
   query.id = 0;
   rtcOccluded1(scene.get(), &context.embree, &query);
+  if (riding && query.tfar >= 0.0f) rtcOccluded1(riding.get(), &context.embree, &query);
   return query.tfar < 0.0f ? Color(Color::Zero()) : context.transmittance[0];
 }
 
@@ -198,6 +222,7 @@ void Bvh::transmittance_coherent(const Ray (&rays)[packet_size], const bool (&ac
     query.id[lane] = static_cast<unsigned>(lane);
   }
   rtcOccluded8(valid, scene.get(), &context.embree, &query);
+  if (riding) rtcOccluded8(valid, riding.get(), &context.embree, &query);
   for (int lane = 0; lane < packet_size; ++lane) {
     transmittance[lane] = query.tfar[lane] < 0.0f ? Color(Color::Zero()) : context.transmittance[lane];
   }

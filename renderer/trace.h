@@ -38,6 +38,9 @@ class Bvh {
  public:
   explicit Bvh(const PlacedGeometry& placed);
 
+  /// Takes over the transforms of the placements that ride with the car.
+  void move_riding(const PlacedGeometry& placed);
+
   /// Nearest surface. Alpha masks cut holes; a half-transparent surface stops a share of the rays.
   Hit intersect(const Ray& ray) const;
 
@@ -66,6 +69,7 @@ class Bvh {
   Device device;
   std::vector<SceneHandle> shared_scenes;
   SceneHandle scene;
+  SceneHandle riding;  ///< what moves with the car, asked after the other; null: nothing does
 };
 
 }  // namespace cps

@@ -39,6 +39,7 @@ struct Recipe {
 
   // The car.
   std::string rig;                 ///< a rig file; none: one camera, front
+  bool ego_bonnet = false;         ///< the car's own bonnet in the picture: its outline tells the H-FOV
   double mount_error_deg = 1.0;    ///< standard deviation of each camera's drawn yaw, pitch and roll
   double mount_error_m = 0.01;     ///< standard deviation of its position along each axis
   double lateral_m = 0.25;         ///< standard deviation of the car's offset from the lane's centre line

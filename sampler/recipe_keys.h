@@ -28,6 +28,7 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("views", r.views, "views per size, H-FOV and camera: so many places");
 
   visit("rig", r.rig, "rig file, as named or beside the recipe; none: one camera, 1.65 m high");
+  visit("ego_bonnet", r.ego_bonnet, "show the car's own bonnet; a network may then read the H-FOV off it");
   visit("mount_error_deg", r.mount_error_deg, "standard deviation of each camera's yaw, pitch and roll");
   visit("mount_error_m", r.mount_error_m, "standard deviation of each camera's position along each axis");
   visit("lateral_m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");

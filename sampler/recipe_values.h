@@ -25,6 +25,11 @@ void parse_value(std::string_view text, Number& value) {
                                                         : "is not a number");
 }
 
+inline void parse_value(std::string_view text, bool& value) {
+  if (text != "true" && text != "false") throw std::runtime_error("is neither true nor false");
+  value = text == "true";
+}
+
 inline void parse_value(std::string_view text, ImageSize& value) {
   const std::size_t x = text.find('x');
   if (x == text.npos) throw std::runtime_error("is not a size; write it as 1392x512");
@@ -60,6 +65,10 @@ template <typename Number>
 requires std::is_arithmetic_v<Number> std::string value_text(Number value) {
   char digits[64];
   return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+inline std::string value_text(bool value) {
+  return value ? "true" : "false";
 }
 
 inline std::string value_text(const ImageSize& size) {

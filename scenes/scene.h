@@ -94,6 +94,7 @@ struct Mesh {
 struct Instance {
   int mesh = 0;
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
+  bool rides = false;  ///< with the car: the world is then the vehicle's frame, wherever the car is put
 };
 
 /// A drivable lane: its centre line in driving direction.

@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 
 constexpr CityStyle styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
                                 CityStyle::industrial};
-constexpr int cities_per_style = 4, conditions_per_city = 4;
+constexpr int cities_per_style = 4, conditions_per_city = 3;
 constexpr int width = 348, height = 128;  // a quarter of 1392 x 512; statistics are taken of half of that
-constexpr int samples = 2, sheet_samples = 24, sheet_views = 48, sheet_columns = 6;
+constexpr int samples = 2, sheet_samples = 16, sheet_views = 48, sheet_columns = 6;
 constexpr float edge_threshold = 40;  // of Sobel's gradient, in 8-bit levels
 constexpr Interval luminance_range{0, 256}, angle_range{0, 180};
 

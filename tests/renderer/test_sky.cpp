@@ -118,6 +118,12 @@ TEST_CASE("An overcast sky is three times brighter overhead, and as bright as it
   CHECK(luminance(horizontal_irradiance(sky)) == Approx(0.3 + 21 * 0.5).epsilon(0.002));
   const Color zenith = sky.radiance({0, 1, 0});
   CHECK(zenith.maxCoeff() < 1.35f * zenith.minCoeff());  // white, a little bluish
+  const Color low =
+      make_overcast_sky({.sun_elevation_deg = 10, .sky = SkyModel::overcast}).radiance({0, 1, 0});
+  for (const Color& color : {zenith, low}) {  // and never pink
+    CHECK(color.x() < color.y());
+    CHECK(color.y() < color.z());
+  }
 }
 
 TEST_CASE("A sun set by hand replaces the model's") {
