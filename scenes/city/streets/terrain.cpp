@@ -52,8 +52,8 @@ Terrain draw_terrain(const CityOptions& options) {
   for (int i = 0; i < count; ++i) {
     const double wavelength_m = draws.uniform(350, 900);
     const double wave_number = 2 * std::numbers::pi / wavelength_m;
-    // The first wave has half of the slope: sums of equals seldom come near their bound.
-    const double share = i == 0 ? 0.5 : 0.25;
+    // The first wave has most of the slope: sums of equals seldom come near their bound.
+    const double share = i == 0 ? 0.7 : 0.15;
     terrain.waves.push_back({Vec2(std::cos(bearing), std::sin(bearing)) * wave_number,
                              share * steepest / wave_number, draws.uniform(0, 2 * std::numbers::pi)});
     bearing += draws.uniform(0.5, 1.2);
