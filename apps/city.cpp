@@ -19,7 +19,8 @@ int cps_city(const Arguments& arguments) {
       "style", po::value<std::string>()->default_value(to_string(city.style)), styles.c_str())(
       "extent-m", po::value(&city.extent_m)->default_value(city.extent_m), "side of the area with streets")(
       "tree-density", po::value(&city.tree_density)->default_value(city.tree_density), "0: none … 3")(
-      "parked-cars", po::value(&city.parked_cars)->default_value(city.parked_cars), "0: none … 2");
+      "parked-cars", po::value(&city.parked_cars)->default_value(city.parked_cars), "0: none … 2")(
+      "traffic", po::value(&city.traffic)->default_value(city.traffic), "0: none … 2");
   po::variables_map values;
   if (!parse_options(arguments,
                      "cps city --style NAME --seed N -o FILE.glb\nA city to drive through: streets, houses, "

@@ -84,6 +84,7 @@ DrivableScene drivable_scene(const Scene& scene, const std::string& name, const 
                          .usable = {},
                          .routes = routes(scene),
                          .route_parts = {},
+                         .traffic = traffic_on(scene.lanes),
                          .rays = SceneRays(scene)};
   if (drivable.lanes.empty())
     throw std::runtime_error(name + ": has no lanes to drive on; give its glTF scene extras.cps_lanes");
@@ -147,6 +148,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
       offset +=
           draw_lane_change(scene.lanes, lanes[chosen], distance_m, make_stream(draw.key, "lane change"));
     drawn.place = on_wheels(scene.rays, place_on_lane(lane, distance_m, offset.lateral_m, offset.yaw_rad));
+    if (!is_clear_of(scene.traffic, drawn.place)) continue;
     for (std::size_t c = 0; c < rig.cameras.size(); ++c)
       drawn.cameras.push_back(
           with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "random/counter_hash.h"
+#include "sampler/lane_traffic.h"
 #include "sampler/part.h"
 #include "sampler/recipe.h"
 #include "scenes/clearance.h"
@@ -28,6 +29,7 @@ struct DrivableScene {
   std::vector<UsableStretch> usable;  ///< one per lane
   std::vector<Route> routes;
   std::vector<Part> route_parts;  ///< one per route; all of them `all` when streets are shared
+  LaneTraffic traffic;
   SceneRays rays;
 };
 
@@ -59,7 +61,8 @@ struct DrawnPlace {
 };
 
 /// A place on a route of `part`, uniform along the lanes, with the recipe's deviations, the car on its
-/// wheels, where no camera of the rig has a fault. Throws std::runtime_error when 200 attempts find none.
+/// wheels, clear of the traffic on the lanes (what is not, is passed over and not counted), where no camera
+/// of the rig has a fault. Throws std::runtime_error when 200 attempts find none.
 DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, const Recipe& recipe,
                       Stream stream);
 

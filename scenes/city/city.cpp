@@ -11,8 +11,10 @@
 #include "scenes/city/materials/materials.h"
 #include "scenes/city/materials/textures.h"
 #include "scenes/city/roadside/model_library.h"
+#include "scenes/city/roadside/overhead.h"
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
+#include "scenes/city/roadside/traffic.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/streets/cycle_tracks.h"
 #include "scenes/city/streets/driving_lanes.h"
@@ -37,19 +39,21 @@ bool CityOptions::is_valid(std::string* why) const {
   if (!(extent_m >= 300 && extent_m <= 1200)) return fail("extent_m: choose 300 … 1200 metres");
   if (!(tree_density >= 0 && tree_density <= 3)) return fail("tree_density: choose 0 … 3");
   if (!(parked_cars >= 0 && parked_cars <= 2)) return fail("parked_cars: choose 0 … 2");
+  if (!(traffic >= 0 && traffic <= 2)) return fail("traffic: choose 0 … 2");
   return true;
 }
 
 std::string CitySummary::brief() const {
   char text[512];
   std::snprintf(text, sizeof text,
-                "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu cars, %zu people, "
-                "%zu pieces of "
-                "street furniture\n"
+                "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu parked cars, %zu "
+                "vehicles in "
+                "traffic, %zu people, %zu pieces of street furniture\n"
                 "%zu lanes, %.1f km in all\n"
                 "%.2f M triangles (%.2f M with instances), %.1f MB",
-                to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, people,
-                furniture, lanes, lane_km, triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
+                to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, in_traffic,
+                people, furniture, lanes, lane_km, triangles * 1e-6, instanced_triangles * 1e-6,
+                bytes * 1e-6);
   return text;
 }
 
@@ -81,12 +85,15 @@ WallMaterial ground_material(const Materials& m, GroundKind kind) {
 }
 
 void add_street(GlbWriter& writer, const StreetNetwork& network, int index, const Materials& materials,
-                const Terrain& terrain, std::uint64_t seed) {
+                const Terrain& terrain, const CityOptions& options) {
   const std::string& name = network.streets[index].name;
-  add_ground(writer, carriageway(network, index, materials, seed), "street " + name, terrain);
-  add_ground(writer, road_markings(network, index, materials, seed), "markings " + name, terrain);
-  add_ground(writer, cycle_tracks(network, index, materials, seed), "cycle tracks " + name, terrain);
-  add_ground(writer, median(network, index, materials, seed), "median " + name, terrain);
+  add_ground(writer, carriageway(network, index, materials, options.seed), "street " + name, terrain);
+  add_ground(writer, road_markings(network, index, materials, options.seed), "markings " + name, terrain);
+  add_ground(writer, cycle_tracks(network, index, materials, options.seed), "cycle tracks " + name, terrain);
+  add_ground(writer, median(network, index, materials, options.seed), "median " + name, terrain);
+  Mesh wires = overhead_wires(network, index, materials, options);
+  lift_onto(wires, terrain);
+  add_static(writer, std::move(wires), "wires " + name);
 }
 
 void add_junction(GlbWriter& writer, const StreetNetwork& network, int index,
@@ -137,6 +144,13 @@ bool leans(ModelKind kind) {
   return kind == ModelKind::car || kind == ModelKind::goods;
 }
 
+void stand(GlbWriter& writer, const PlacedModel& p, const Terrain& terrain) {
+  const Vec2 slope = terrain.slope(p.position);
+  const Vec3 up = leans(p.model->kind) ? lift(-slope, 1).normalized() : Vec3(0, 1, 0);
+  writer.add_node(p.model->name, p.model->mesh,
+                  {lift(p.position, p.height + terrain.height_m(p.position)), p.heading_rad, p.scale, up});
+}
+
 void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, const Terrain& terrain,
            CitySummary& summary) {
   for (const PlacedModel& p : placed) {
@@ -159,10 +173,7 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, const Terr
         ++summary.furniture;
         break;
     }
-    const Vec2 slope = terrain.slope(p.position);
-    const Vec3 up = leans(p.model->kind) ? lift(-slope, 1).normalized() : Vec3(0, 1, 0);
-    writer.add_node(p.model->name, p.model->mesh,
-                    {lift(p.position, p.height + terrain.height_m(p.position)), p.heading_rad, p.scale, up});
+    stand(writer, p, terrain);
   }
 }
 
@@ -171,9 +182,10 @@ double millimetres(double x) {
 }
 
 nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::vector<DrivingLane>& lanes,
-                                     const Terrain& terrain) {
+                                     const Traffic& traffic, const Terrain& terrain) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const DrivingLane& lane : lanes) {
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const DrivingLane& lane = lanes[i];
     nlohmann::ordered_json points = nlohmann::ordered_json::array();
     for (const Vec3& p : on_terrain(lane.points, terrain))
       points.push_back({millimetres(p.x()), millimetres(p.y()), millimetres(p.z())});
@@ -181,6 +193,8 @@ nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::ve
                     {"width_m", millimetres(lane.width_m)},
                     {"points", std::move(points)},
                     {"next", lane.next}});
+    for (const OccupiedStretch& o : traffic.occupied[i])
+      list.back()["occupied"].push_back({millimetres(o.from_m), millimetres(o.to_m)});
   }
   return list;
 }
@@ -199,7 +213,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
 
   const std::vector<DrivingLane> lanes = driving_lanes(network);
   for (int s = 0; s < static_cast<int>(network.streets.size()); ++s)
-    add_street(writer, network, s, materials, terrain, options.seed);
+    add_street(writer, network, s, materials, terrain, options);
   for (const TramTrack& track : tram_tracks(network))
     add_ground(writer, tram_rails(track, materials), "tram track " + network.streets[track.street].name,
                terrain);
@@ -217,6 +231,9 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   add_static(writer, around.terrain, around.terrain.name);
   place(writer, around.models, terrain, summary);
 
+  const Traffic traffic = draw_traffic(network, lanes, districts, models, options);
+  for (const PlacedModel& vehicle : traffic.vehicles) stand(writer, vehicle, terrain);
+  summary.in_traffic = traffic.vehicles.size();
   for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
   summary.style = options.style;
   summary.streets = network.streets.size();
@@ -227,7 +244,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   summary.instanced_triangles = writer.instanced_triangles();
   summary.bytes =
       writer.write(file, {{"cps_city", {{"style", to_string(options.style)}, {"seed", options.seed}}},
-                          {"cps_lanes", lanes_as_json(network, lanes, terrain)}});
+                          {"cps_lanes", lanes_as_json(network, lanes, traffic, terrain)}});
   return summary;
 }
 

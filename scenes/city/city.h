@@ -15,6 +15,7 @@ struct CityOptions {
   double extent_m = 400;    ///< side length of the area with streets, metres
   double tree_density = 1;  ///< times the seed's own density; 0: no trees
   double parked_cars = 1;   ///< times the seed's own density; 0: empty kerbs
+  double traffic = 1;       ///< times the share of lanes that the style fills with traffic; 0: none
 
   /// Whether a city can be made from these; if not, `why` (may be null) says what to change.
   bool is_valid(std::string* why) const;
@@ -24,6 +25,7 @@ struct CitySummary {
   CityStyle style = CityStyle::european;
   std::size_t streets = 0, junctions = 0, blocks = 0, buildings = 0, trees = 0, cars = 0, people = 0,
               furniture = 0;
+  std::size_t in_traffic = 0;  ///< vehicles on the lanes, which `cars` does not count
   std::size_t lanes = 0;
   double lane_km = 0;
   std::size_t triangles = 0;            ///< stored, each shared mesh once

@@ -43,6 +43,10 @@ void scale_scene(Scene& scene, double metres_per_unit) {
   for (Lane& lane : scene.lanes) {
     lane.width_m *= s;
     for (Eigen::Vector3f& point : lane.points) point *= s;
+    for (LaneStretch& stretch : lane.occupied) {
+      stretch.from_m *= metres_per_unit;
+      stretch.to_m *= metres_per_unit;
+    }
   }
   for (SceneCamera& camera : scene.cameras) camera.world_from_camera.translation() *= metres_per_unit;
   scene.bounds = Eigen::AlignedBox3f(scene.bounds.min() * s, scene.bounds.max() * s);

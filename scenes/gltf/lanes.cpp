@@ -1,5 +1,7 @@
 #include "scenes/gltf/lanes.h"
 
+#include <cmath>
+
 namespace cps::gltf {
 namespace {
 
@@ -56,6 +58,26 @@ std::vector<int> read_next(const Document& document, const tinygltf::Value& valu
   return next;
 }
 
+/// Where vehicles stand on the lane: none where the scene does not say.
+std::vector<LaneStretch> read_occupied(const Document& document, const tinygltf::Value& value,
+                                       const std::string& where) {
+  std::vector<LaneStretch> occupied;
+  if (!value.Has("occupied")) return occupied;
+  const tinygltf::Value& list = value.Get("occupied");
+  bool valid = list.IsArray();
+  for (std::size_t i = 0; i < list.ArrayLen() && valid; ++i) {
+    const tinygltf::Value& pair = list.Get(static_cast<int>(i));
+    valid = pair.ArrayLen() == 2 && pair.Get(0).IsNumber() && pair.Get(1).IsNumber();
+    if (!valid) break;
+    occupied.push_back({pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()});
+    valid = std::isfinite(occupied[i].from_m) && std::isfinite(occupied[i].to_m) &&
+            occupied[i].from_m < occupied[i].to_m;
+  }
+  if (!valid)
+    refuse(document, where + ".occupied", "must be an array of pairs [from, to] in metres, from < to");
+  return occupied;
+}
+
 }  // namespace
 
 std::vector<Lane> read_lanes(const Document& document, int scene) {
@@ -71,6 +93,7 @@ std::vector<Lane> read_lanes(const Document& document, int scene) {
     const std::string name = where + "[" + std::to_string(i) + "]";
     lanes.push_back(read_lane(document, list.Get(i), name));
     lanes.back().next = read_next(document, list.Get(i), count, name);
+    lanes.back().occupied = read_occupied(document, list.Get(i), name);
   }
   return lanes;
 }

@@ -4,11 +4,15 @@
 
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/roadside/boundary.h"
+#include "scenes/city/roadside/bus.h"
+#include "scenes/city/roadside/bus_stop.h"
 #include "scenes/city/roadside/goods.h"
 #include "scenes/city/roadside/lorry.h"
+#include "scenes/city/roadside/overhead.h"
 #include "scenes/city/roadside/person.h"
 #include "scenes/city/roadside/street_furniture.h"
 #include "scenes/city/roadside/tree.h"
+#include "scenes/city/roadside/two_wheeler.h"
 #include "scenes/city/roadside/vehicle.h"
 #include "scenes/city/streets/road_surface.h"
 
@@ -73,7 +77,8 @@ Materials any_materials() {
   m.stone = {5, 3};
   m.glass = 6;
   m.shop_sign = std::vector<MaterialId>(6, 7);
-  m.leaves = {8, 9, 10};
+  m.leaves = m.fine_leaves = m.red_leaves = m.needles = {8, 9, 10};
+  m.car_paint = {23, 24};
   m.tyre = 11;
   m.rim = 12;
   return m;
@@ -93,6 +98,40 @@ TEST_CASE("vehicles have their class's size, stand on the ground and are not ins
     CHECK(box.high.z() == Approx(-box.low.z()).margin(1e-4));
     CHECK(car.triangle_count() < 6000);
   }
+}
+
+TEST_CASE("buses and two-wheelers have real sizes, stand on the ground and are not inside out") {
+  const Materials m = any_materials();
+  const Mesh coach = bus(m, 23);
+  check_sane(coach, -0.05);
+  CHECK(bounds(coach).low.y() == Approx(0).margin(1e-3));
+  CHECK(bounds(coach).high.y() == Approx(bus_height_m));
+  CHECK(bounds(coach).high.x() - bounds(coach).low.x() == Approx(bus_length_m).margin(0.06));
+  CHECK(bounds(coach).high.z() == Approx(bus_width_m / 2 + bus_mirror_m));
+  CHECK(bounds(coach).low.z() == Approx(-bounds(coach).high.z()));
+  for (int i = 0; i < 10; ++i) {
+    const Stream stream = substream(make_stream(9, "two-wheelers"), i);
+    for (const Mesh& mesh : {bicycle(m, stream), cyclist(m, stream), motorcyclist(m, stream)}) {
+      check_sane(mesh, -0.05);
+      const Box box = bounds(mesh);
+      INFO(mesh.name);
+      const bool motor = mesh.name == "motorcyclist";
+      CHECK(box.low.y() == Approx(0).margin(2e-3));
+      CHECK(box.high.y() > (mesh.name == "bicycle" ? 0.95f : 1.55f));
+      CHECK(box.high.y() < (mesh.name == "bicycle" ? 1.15f : 1.9f));
+      CHECK(box.high.x() < (motor ? motorcycle_half_length_m : bicycle_half_length_m));
+      CHECK(box.low.x() > -(motor ? motorcycle_half_length_m : bicycle_half_length_m));
+      CHECK(box.high.z() < (motor ? motorcycle_half_width_m : bicycle_half_width_m));
+      CHECK(box.low.z() > -(motor ? motorcycle_half_width_m : bicycle_half_width_m));
+      CHECK(mesh.triangle_count() < 4000);
+    }
+  }
+}
+
+TEST_CASE("the classes' shares make a whole") {
+  double whole = 0;
+  for (const VehicleClass& c : vehicle_classes()) whole += c.share;
+  CHECK(whole == Approx(1));
 }
 
 TEST_CASE("trees have trunks and crowns of their species' size") {
@@ -235,6 +274,22 @@ TEST_CASE("fences and goods have real sizes and stand on the ground") {
   CHECK(bounds(box).high.y() == Approx(2.59).margin(0.01));
   CHECK(bounds(box).high.x() - bounds(box).low.x() == Approx(6.06).margin(0.03));
   for (const Mesh& mesh : {container_stack(m), pallets(m), silo(m)}) check_sane(mesh, -0.05);
+}
+
+TEST_CASE("masts and bus stops have real sizes and stand on the pavement") {
+  const Materials m = any_materials();
+  const Mesh shelter = bus_shelter(m), stop = bus_stop_sign(m), wood = telegraph_mast(m),
+             steel = span_mast(m);
+  for (const Mesh* mesh : {&shelter, &stop, &wood, &steel}) {
+    check_sane(*mesh, -0.05);
+    CHECK(bounds(*mesh).low.y() == Approx(-0.05f).margin(0.01));
+  }
+  CHECK(bounds(shelter).high.y() == Approx(2.52).margin(0.05));
+  CHECK(bounds(shelter).high.z() < shelter_half_length_m + 0.05);
+  CHECK(bounds(shelter).high.x() < shelter_half_depth_m + 0.05);
+  CHECK(bounds(stop).high.y() == Approx(2.85).margin(0.05));
+  CHECK(bounds(wood).high.y() == Approx(8.25).margin(0.05));
+  CHECK(bounds(steel).high.y() == Approx(7.55).margin(0.05));
 }
 
 TEST_CASE("street furniture has real sizes and stands on the pavement") {

@@ -60,7 +60,8 @@ TEST_CASE("roads are painted sharply enough and leaves are cut out") {
   CHECK(mean < 150);
 
   for (const TextureSet& card :
-       {leaf_texture(make_stream(3, "leaves")), needle_texture(make_stream(3, "needles"))}) {
+       {leaf_texture(make_stream(3, "leaves")), fine_leaf_texture(make_stream(3, "leaves")),
+        needle_texture(make_stream(3, "needles"))}) {
     REQUIRE(card.base_color.channels == 4);
     std::size_t solid = 0;
     const std::size_t texels = card.base_color.pixels.size() / 4;
@@ -68,6 +69,14 @@ TEST_CASE("roads are painted sharply enough and leaves are cut out") {
     CHECK(solid > texels * 15 / 100);
     CHECK(solid < texels * 85 / 100);
     const int size = card.base_color.width;
-    for (int i = 0; i < size; ++i) CHECK(card.base_color.pixels[4 * i + 3] == 0);  // nothing is cut off above
+    for (int i = 0; i < size; ++i) {  // nothing is cut off, nothing comes in at the opposite edge
+      const auto alpha = [&](int row, int column) {
+        return card.base_color.pixels[4 * (row * size + column) + 3];
+      };
+      CHECK(alpha(0, i) == 0);
+      CHECK(alpha(size - 1, i) == 0);
+      CHECK(alpha(i, 0) == 0);
+      CHECK(alpha(i, size - 1) == 0);
+    }
   }
 }

@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -88,6 +89,8 @@ MaterialId GlbWriter::add_material(const MaterialDescription& m) {
     material["alphaMode"] = "MASK";
     material["alphaCutoff"] = 0.5;
   }
+  if (m.transmission > 0)
+    material["extensions"]["KHR_materials_transmission"]["transmissionFactor"] = m.transmission;
   if (m.double_sided) material["doubleSided"] = true;
   materials.push_back(std::move(material));
   return static_cast<MaterialId>(materials.size()) - 1;
@@ -200,6 +203,9 @@ std::size_t GlbWriter::write(const std::filesystem::path& file, const ordered_js
       {"accessors", accessors},
       {"bufferViews", views},
       {"buffers", {{{"byteLength", padded}}}}};
+  const bool transmits = std::any_of(materials.begin(), materials.end(),
+                                     [](const ordered_json& m) { return m.contains("extensions"); });
+  if (transmits) document["extensionsUsed"] = {"KHR_materials_transmission"};
   std::string json = document.dump();
   json.resize((json.size() + 3) & ~std::size_t{3}, ' ');
 

@@ -20,6 +20,7 @@ struct MaterialDescription {
   int base_color_texture = -1, metallic_roughness_texture = -1, normal_texture = -1;
   bool alpha_mask = false, double_sided = false;
   std::array<double, 3> emissive = {0, 0, 0};
+  double transmission = 0;  ///< share of light that passes a thin wall (KHR_materials_transmission)
 };
 
 /// Where a mesh stands: `position` in glTF's frame, turned by `heading_rad` about the vertical, scaled

@@ -150,18 +150,36 @@ void add_plants(GlbWriter& writer, Materials& m, std::uint64_t seed) {
   m.leaves.push_back(writer.add_material(tinted(broad, "leaves", {0.74, 0.80, 0.76})));
   m.leaves.push_back(writer.add_material(tinted(broad, "leaves_dark", {0.45, 0.56, 0.52})));
   m.leaves.push_back(writer.add_material(tinted(broad, "leaves_light", {0.95, 0.92, 0.62})));
-  m.needles = writer.add_material(foliage("needles", needle_texture(make_stream(seed, "needles"))));
+  const MaterialDescription fine =
+      foliage("fine_leaves", fine_leaf_texture(make_stream(seed, "fine leaves")));
+  m.fine_leaves.push_back(writer.add_material(tinted(fine, "fine_leaves", {0.80, 0.88, 0.72})));
+  m.fine_leaves.push_back(writer.add_material(tinted(fine, "fine_leaves_dark", {0.55, 0.66, 0.55})));
+  m.red_leaves.push_back(writer.add_material(tinted(fine, "fine_leaves_red", {0.55, 0.20, 0.42})));
+  const MaterialDescription needles = foliage("needles", needle_texture(make_stream(seed, "needles")));
+  m.needles.push_back(writer.add_material(needles));
+  m.needles.push_back(writer.add_material(tinted(needles, "needles_blue", {0.8, 0.92, 1})));
   m.bark = writer.add_material(textured(writer, "bark", bark_texture(make_stream(seed, "bark"))));
+  m.birch_bark = writer.add_material(
+      textured(writer, "birch_bark", birch_bark_texture(make_stream(seed, "birch bark"))));
   m.hedge_core = writer.add_material(plain("hedge_core", {0.03, 0.05, 0.015}, 1));
 }
 
 void add_vehicles_and_furniture(GlbWriter& writer, Materials& m) {
   const std::vector<Color> paints{{0.01, 0.01, 0.012}, {0.55, 0.56, 0.57}, {0.80, 0.80, 0.79},
                                   {0.12, 0.125, 0.13}, {0.30, 0.02, 0.02}, {0.02, 0.05, 0.18},
-                                  {0.06, 0.09, 0.07},  {0.30, 0.26, 0.20}};
+                                  {0.06, 0.09, 0.07},  {0.30, 0.26, 0.20}, {0.50, 0.025, 0.02},
+                                  {0.03, 0.14, 0.42},  {0.22, 0.24, 0.26}, {0.42, 0.16, 0.03}};
   for (const Color& color : paints)
     m.car_paint.push_back(
         writer.add_material(plain("car_paint_" + std::to_string(m.car_paint.size()), color, 0.22)));
+  for (const Color& color : {Color{0.66, 0.42, 0.02},
+                             {0.52, 0.03, 0.03},
+                             {0.74, 0.74, 0.72},
+                             {0.05, 0.18, 0.42},
+                             {0.10, 0.33, 0.14}})
+    m.bus_paint.push_back(
+        writer.add_material(plain("bus_paint_" + std::to_string(m.bus_paint.size()), color, 0.25)));
+  m.bus_display = writer.add_material(plain("bus_display", {0.55, 0.28, 0.01}, 0.4));
   m.car_glass = writer.add_material(plain("car_glass", {0.012, 0.014, 0.015}, 0.03));
   m.tyre = writer.add_material(plain("tyre", {0.018, 0.018, 0.018}, 0.9));
   m.rim = writer.add_material(plain("rim", {0.55, 0.55, 0.56}, 0.3, 0.9));
@@ -174,9 +192,17 @@ void add_vehicles_and_furniture(GlbWriter& writer, Materials& m) {
   m.sign_red = writer.add_material(plain("sign_red", {0.55, 0.02, 0.02}, 0.4));
   m.sign_white = writer.add_material(plain("sign_white", {0.82, 0.82, 0.82}, 0.4));
   m.sign_blue = writer.add_material(plain("sign_blue", {0.01, 0.10, 0.42}, 0.4));
+  m.sign_green = writer.add_material(plain("sign_green", {0.02, 0.22, 0.09}, 0.4));
+  m.sign_yellow = writer.add_material(plain("sign_yellow", {0.72, 0.52, 0.03}, 0.4));
   m.signal_red = writer.add_material(plain("signal_red", {0.6, 0.02, 0.01}, 0.3));
   m.signal_green = writer.add_material(plain("signal_green", {0.01, 0.4, 0.2}, 0.3));
   m.signal_off = writer.add_material(plain("signal_off", {0.02, 0.02, 0.02}, 0.3));
+  MaterialDescription pane = plain("clear_glass", {0.86, 0.90, 0.88}, 0.0);
+  pane.transmission = 0.95;
+  pane.double_sided = true;
+  m.clear_glass = writer.add_material(pane);
+  m.cable = writer.add_material(plain("cable", {0.02, 0.02, 0.02}, 0.6));
+  m.mast_wood = writer.add_material(plain("mast_wood", {0.17, 0.14, 0.11}, 0.9));
   m.wood = writer.add_material(plain("wood", {0.22, 0.13, 0.07}, 0.7));
 }
 

@@ -27,11 +27,15 @@ struct Materials {
   MaterialId glass, curtained_glass, shutter, frame_white, frame_dark, door_wood, door_dark, awning;
   std::vector<MaterialId> shop_sign;
   MaterialId roof_tiles, roof_flat, roof_metal;
-  std::vector<MaterialId> leaves;  ///< broad-leaved kinds
-  MaterialId needles, bark, hedge_core;
-  std::vector<MaterialId> car_paint;
+  std::vector<MaterialId> leaves, fine_leaves, red_leaves, needles;  ///< by foliage, in several tints
+  MaterialId bark, birch_bark, hedge_core;
+  std::vector<MaterialId> car_paint, bus_paint;
+  MaterialId bus_display;
   MaterialId car_glass, tyre, rim, car_trim, head_light, tail_light, number_plate;
-  MaterialId pole, lamp_glass, sign_red, sign_white, sign_blue, signal_red, signal_green, signal_off, wood;
+  MaterialId pole, lamp_glass, sign_red, sign_white, sign_blue, sign_green, sign_yellow, signal_red,
+      signal_green, signal_off, wood;
+  MaterialId clear_glass;  ///< one pane, seen through
+  MaterialId cable, mast_wood;
   MaterialId terrain, far_wall, far_roof;
 };
 

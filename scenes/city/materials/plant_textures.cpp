@@ -33,11 +33,13 @@ BladeHit find_blade(const std::vector<Blade>& blades, double u, double v) {
   return {};
 }
 
-/// Whether all of it fits on the card: the card tiles, so what leaves it at the bottom would come in again at
-/// the top.
+/// Whether all of it lies on the card, with some rim: the card tiles, so what leaves it at one edge would
+/// come in again at the opposite one.
 bool fits_card(const Blade& b) {
-  const double tip_u = b.u + b.du * b.length, tip_v = b.v + b.dv * b.length, rim = b.width + 0.01;
-  return std::min({b.u, b.v, tip_u, tip_v}) > rim && std::max({b.u, b.v, tip_u, tip_v}) < 1 - rim;
+  constexpr double rim = 0.03;
+  const double tip_u = b.u + b.du * b.length, tip_v = b.v + b.dv * b.length;
+  return std::min({b.u, b.v, tip_u, tip_v}) > rim + b.width &&
+         std::max({b.u, b.v, tip_u, tip_v}) < 1 - rim - b.width;
 }
 
 TextureSet paint_card(const std::vector<Blade>& blades, const std::array<double, 3>& color, double tile_m) {
@@ -70,26 +72,64 @@ TextureSet bark_texture(Stream stream) {
   });
 }
 
-TextureSet leaf_texture(Stream stream) {
-  Draws draws{stream};
+TextureSet birch_bark_texture(Stream stream) {
+  return paint(512, bark_tile_m, false, [=](double u, double v) {
+    const double grain = fractal_noise(substream(stream, 1), u, v, 24, 3);
+    // Dark lenticels: short and flat, across the stem; and now and then a black scar.
+    const double wave = 0.02 * gradient_noise(substream(stream, 2), u, v, 6);
+    const double dash = gradient_noise(substream(stream, 3), u * 0.25, v + wave, 48);
+    const double scar = fractal_noise(substream(stream, 4), u, v, 5, 2);
+    const bool dark = dash > 0.42 || scar > 0.52;
+    const double light = (dark ? 0.16 : 0.80) + 0.06 * grain;
+    Texel t;
+    t.color = {light, light * 0.98, light * 0.93};
+    t.height_m = 0.002 * grain - (dark ? 0.002 : 0);
+    t.roughness = 0.85;
+    return t;
+  });
+}
+
+namespace {
+
+/// A twig: leaves along side twigs off a middle stem.
+std::vector<Blade> draw_twig(Draws& draws, int side_twigs, int leaves_per_twig, double leaf_length,
+                             double slenderness) {
   std::vector<Blade> leaves;
-  const double leaf_length = draws.uniform(0.11, 0.15), slenderness = draws.uniform(0.3, 0.42);
-  for (int branch = 0; branch < 13; ++branch) {  // side twigs off a middle stem, leaves along each
-    const double start = 1.0 - branch * 0.07, lean = draws.uniform(0.5, 1.3) * (branch % 2 ? 1 : -1);
-    for (int k = 0; k < 12; ++k) {
-      const double reach = 0.03 + 0.038 * k;
-      const double u = 0.5 + reach * std::sin(lean), v = start - 0.12 - reach * std::cos(lean) * 0.8;
-      const double turn = lean + draws.uniform(-1.1, 1.1);
-      const double size = leaf_length * draws.uniform(0.7, 1.1);
-      const Blade leaf{
-          u, v, std::sin(turn), -std::cos(turn), size, size * slenderness, draws.uniform(0.72, 1.2)};
-      const double tip_u = u + leaf.du * size, tip_v = v + leaf.dv * size;
-      if (std::min({u, v, tip_u, tip_v}) > 0.07 && std::max({u, v, tip_u, tip_v}) < 0.95)
-        leaves.push_back(leaf);
+  for (int twig = 0; twig < side_twigs; ++twig) {
+    const double start = 1.0 - twig * 0.91 / side_twigs;
+    const double lean = draws.uniform(0.5, 1.3) * (twig % 2 ? 1 : -1);
+    for (int k = 0; k < leaves_per_twig; ++k) {
+      const double reach = 0.03 + 0.456 * k / leaves_per_twig;
+      const double turn = lean + draws.uniform(-1.1, 1.1), size = leaf_length * draws.uniform(0.7, 1.1);
+      const Blade leaf{0.5 + reach * std::sin(lean),
+                       start - 0.12 - reach * std::cos(lean) * 0.8,
+                       std::sin(turn),
+                       -std::cos(turn),
+                       size,
+                       size * slenderness,
+                       draws.uniform(0.72, 1.2)};
+      if (fits_card(leaf)) leaves.push_back(leaf);
     }
   }
+  return leaves;
+}
+
+}  // namespace
+
+TextureSet leaf_texture(Stream stream) {
+  Draws draws{stream};
+  const double leaf_length = draws.uniform(0.11, 0.15), slenderness = draws.uniform(0.3, 0.42);
+  const std::vector<Blade> leaves = draw_twig(draws, 13, 12, leaf_length, slenderness);
   const double autumn = draws.uniform(0, 1);
   return paint_card(leaves, {0.36 + 0.10 * autumn, 0.49 + 0.03 * autumn, 0.17}, 0.7);
+}
+
+TextureSet fine_leaf_texture(Stream stream) {
+  Draws draws{stream};
+  const std::vector<Blade> leaves =
+      draw_twig(draws, 19, 20, draws.uniform(0.065, 0.085), draws.uniform(0.40, 0.5));
+  const double warm = draws.uniform(0, 1);
+  return paint_card(leaves, {0.40 + 0.08 * warm, 0.52, 0.20}, 0.7);
 }
 
 TextureSet needle_texture(Stream stream) {
@@ -102,7 +142,7 @@ TextureSet needle_texture(Stream stream) {
       const double u = 0.5 + along * std::sin(lean), v = 0.97 - along * std::cos(lean);
       const double turn = lean + (k % 2 ? 1 : -1) * draws.uniform(0.5, 0.9);
       const Blade needle{u, v, std::sin(turn), -std::cos(turn), 0.09, 0.008, draws.uniform(0.7, 1.25)};
-      if (u > 0.1 && u < 0.9 && v > 0.14) needles.push_back(needle);
+      if (fits_card(needle)) needles.push_back(needle);
     }
   }
   return paint_card(needles, {0.20, 0.30, 0.16}, 0.7);

@@ -29,8 +29,10 @@ TextureSet curtain_wall_texture(Stream stream);  ///< panes and spandrels, nearl
 TextureSet sheet_texture(Stream stream);         ///< ribs 200 mm apart, to be tinted
 
 TextureSet bark_texture(Stream stream);
+TextureSet birch_bark_texture(Stream stream);
 /// A twig with leaves, stem at the middle of the lower edge; transparent outside (RGBA).
 TextureSet leaf_texture(Stream stream);
+TextureSet fine_leaf_texture(Stream stream);  ///< many small round leaves, as birches and poplars have
 TextureSet needle_texture(Stream stream);
 
 }  // namespace cps::city

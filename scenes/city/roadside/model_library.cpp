@@ -4,10 +4,14 @@
 
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/roadside/boundary.h"
+#include "scenes/city/roadside/bus.h"
+#include "scenes/city/roadside/bus_stop.h"
 #include "scenes/city/roadside/goods.h"
 #include "scenes/city/roadside/lorry.h"
+#include "scenes/city/roadside/overhead.h"
 #include "scenes/city/roadside/person.h"
 #include "scenes/city/roadside/tree.h"
+#include "scenes/city/roadside/two_wheeler.h"
 #include "scenes/city/roadside/vehicle.h"
 
 namespace cps::city {
@@ -25,9 +29,12 @@ void add_trees(ModelLibrary& library, GlbWriter& writer, const Materials& m, std
     const int count = species[s].cards > 1400 ? 2 : 3;
     for (int v = 0; v < count; ++v) {
       const Stream stream = substream(substream(make_stream(seed, "tree"), s), v);
-      const MaterialId leaves =
-          species[s].conifer ? m.needles : m.leaves[random_below(substream(stream, 1), 0, m.leaves.size())];
-      Mesh mesh = tree(species[s], leaves, m.bark, stream);
+      const std::vector<MaterialId>& kinds = static_cast<int>(s) == plum              ? m.red_leaves
+                                             : species[s].foliage == Foliage::fine    ? m.fine_leaves
+                                             : species[s].foliage == Foliage::needles ? m.needles
+                                                                                      : m.leaves;
+      const MaterialId leaves = kinds[random_below(substream(stream, 1), 0, kinds.size())];
+      Mesh mesh = tree(species[s], leaves, species[s].bark == Bark::birch ? m.birch_bark : m.bark, stream);
       mesh.name.append(" ").append(std::to_string(v));
       const double trunk = species[s].trunk_radius_m * 1.5;
       variants.push_back(store(writer, mesh, trunk, trunk, ModelKind::tree, species[s].crown_radius_m + 0.5));
@@ -36,26 +43,44 @@ void add_trees(ModelLibrary& library, GlbWriter& writer, const Materials& m, std
   }
 }
 
-void add_cars(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
-  constexpr double mirror_m = 0.17;
-  for (const VehicleClass& c : vehicle_classes()) {
-    std::vector<Model> paints;
-    for (std::size_t p = 0; p < m.car_paint.size(); ++p) {
-      Model model{ModelKind::car, 0, c.name, c.length_m / 2 + 0.03, c.width_m / 2 + mirror_m, 0};
-      model.mesh = p == 0 ? writer.add_mesh(vehicle(c, m, m.car_paint[0]))
-                          : writer.add_variant(paints[0].mesh, c.name, m.car_paint[0], m.car_paint[p]);
-      paints.push_back(model);
-    }
-    library.cars.push_back(std::move(paints));
+/// One mesh in several paints; `model` says the rest.
+std::vector<Model> in_paints(GlbWriter& writer, const Mesh& mesh, const std::vector<MaterialId>& paints,
+                             Model model) {
+  std::vector<Model> painted;
+  model.name = mesh.name;
+  for (const MaterialId paint : paints) {
+    model.mesh = painted.empty() ? writer.add_mesh(mesh)
+                                 : writer.add_variant(painted[0].mesh, mesh.name, paints[0], paint);
+    painted.push_back(model);
   }
+  return painted;
 }
 
-void add_lorries(ModelLibrary& library, GlbWriter& writer, const Materials& m) {
-  const int first = writer.add_mesh(lorry(m, m.car_paint[0]));
-  for (std::size_t p = 0; p < m.car_paint.size(); ++p)
-    library.lorries.push_back(
-        {ModelKind::car, p == 0 ? first : writer.add_variant(first, "lorry", m.car_paint[0], m.car_paint[p]),
-         "lorry", lorry_length_m / 2 + 0.03, lorry_width_m / 2 + 0.14, 0});  // with its mirrors
+void add_vehicles(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
+  const auto sized = [](double half_length, double half_width) {
+    return Model{ModelKind::car, 0, {}, half_length, half_width, 0};
+  };
+  for (const VehicleClass& c : vehicle_classes())
+    library.cars.push_back(in_paints(writer, vehicle(c, m, m.car_paint[0]), m.car_paint,
+                                     sized(c.length_m / 2 + 0.03, c.width_m / 2 + mirror_m)));
+  library.lorries = in_paints(writer, lorry(m, m.car_paint[0]), m.car_paint,
+                              sized(lorry_length_m / 2 + 0.03, lorry_width_m / 2 + 0.14));
+  library.buses = in_paints(writer, bus(m, m.bus_paint[0]), m.bus_paint,
+                            sized(bus_length_m / 2 + 0.03, bus_width_m / 2 + bus_mirror_m));
+  for (int i = 0; i < 6; ++i) {
+    const Stream stream = substream(make_stream(seed, "two-wheelers"), i);
+    const auto add = [&](std::vector<Model>& list, const Mesh& mesh, double half_length, double half_width,
+                         ModelKind kind) {
+      list.push_back(store(writer, mesh, half_length, half_width, kind));
+    };
+    if (i < 3)
+      add(library.bicycles, bicycle(m, stream), bicycle_half_length_m, bicycle_half_width_m,
+          ModelKind::furniture);
+    if (i < 3)
+      add(library.motorcyclists, motorcyclist(m, stream), motorcycle_half_length_m, motorcycle_half_width_m,
+          ModelKind::car);
+    add(library.cyclists, cyclist(m, stream), bicycle_half_length_m, bicycle_half_width_m, ModelKind::car);
+  }
 }
 
 void add_boundaries(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
@@ -97,10 +122,18 @@ void add_far_houses(ModelLibrary& library, GlbWriter& writer, const Materials& m
 
 }  // namespace
 
+const Model& draw_car(Draws& draws, const ModelLibrary& models) {
+  double pick = draws.uniform(0, 1);
+  std::size_t kind = 0;
+  while (kind + 1 < models.cars.size() && pick > vehicle_classes()[kind].share)
+    pick -= vehicle_classes()[kind++].share;
+  return draws.one_of(models.cars[kind]);
+}
+
 ModelLibrary make_models(GlbWriter& writer, const Materials& m, std::uint64_t seed) {
   ModelLibrary library;
   add_trees(library, writer, m, seed);
-  add_cars(library, writer, m);
+  add_vehicles(library, writer, m, seed);
   add_far_houses(library, writer, m, seed);
   library.lamp = store(writer, street_lamp(m, 8.0, 1.2), 0.1, 0.1);
   library.tall_lamp = store(writer, street_lamp(m, 9.8, 2.0), 0.1, 0.1);
@@ -108,9 +141,12 @@ ModelLibrary make_models(GlbWriter& writer, const Materials& m, std::uint64_t se
   library.bin = store(writer, bin(m), 0.4, 0.2);
   library.bench = store(writer, bench(m), 0.35, 0.9);
   library.switch_box = store(writer, switch_box(m), 0.2, 0.62);
+  library.telegraph_mast = store(writer, telegraph_mast(m), 0.14, 0.14);
+  library.span_mast = store(writer, span_mast(m), 0.11, 0.11);
+  library.bus_shelter = store(writer, bus_shelter(m), shelter_half_depth_m, shelter_half_length_m);
+  library.bus_stop_sign = store(writer, bus_stop_sign(m), 0.18, 0.1);
   add_boundaries(library, writer, m, seed);
   add_goods(library, writer, m);
-  add_lorries(library, writer, m);
   for (int i = 0; i < 12; ++i)
     library.people.push_back(
         store(writer, person(m, substream(make_stream(seed, "person"), i)), 0.4, 0.35, ModelKind::person));

@@ -25,9 +25,14 @@ struct ModelLibrary {
   std::vector<Model> boundaries;  ///< one module each, by BoundaryKind
   std::vector<Model> goods;       ///< containers, silos
   std::vector<Model> signs;       ///< by SignKind
+  Model telegraph_mast, span_mast, bus_shelter, bus_stop_sign;
   Model traffic_light_red, traffic_light_green;
-  std::vector<Model> far_houses, lorries, people;
+  std::vector<Model> far_houses, people;
+  std::vector<Model> lorries, buses, bicycles, cyclists, motorcyclists;
 };
+
+/// A car of any paint, its class by the classes' shares.
+const Model& draw_car(Draws& draws, const ModelLibrary& models);
 
 ModelLibrary make_models(GlbWriter& writer, const Materials& materials, std::uint64_t seed);
 

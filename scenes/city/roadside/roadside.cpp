@@ -5,6 +5,9 @@
 #include <numbers>
 
 #include "scenes/city/roadside/boundary.h"
+#include "scenes/city/roadside/bus_stop.h"
+#include "scenes/city/roadside/overhead.h"
+#include "scenes/city/roadside/signals.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/roadside/vehicle.h"
 #include "scenes/city/streets/road_markings.h"
@@ -13,11 +16,23 @@
 namespace cps::city {
 namespace {
 
+/// What grows where, each as often as it is named.
+const std::vector<int>& park_trees() {
+  static const std::vector<int> trees{lime,  lime,  lime,  lime,   plane, plane, plane, maple, maple, maple,
+                                      birch, birch, birch, poplar, pine,  pine,  plum,  shrub, shrub, spruce};
+  return trees;
+}
+
+const std::vector<int>& garden_trees() {
+  static const std::vector<int> trees{maple, maple, maple, hornbeam, hornbeam, birch, birch,
+                                      plum,  plum,  globe, spruce,   spruce,   pine,  young,
+                                      young, shrub, shrub, shrub,    shrub,    shrub};
+  return trees;
+}
+
 double angle_of(const Vec2& direction) {
   return std::atan2(direction.y(), direction.x());
 }
-
-enum Species { lime, maple, plane, hornbeam, young, shrub, spruce };
 
 class Furnisher {
  public:
@@ -46,12 +61,24 @@ class Furnisher {
     // streets.
     const bool with_side = street.profile.lanes_backward == 0 && !side.reversed;
     const bool against_side = street.profile.lanes_backward > 0 || side.reversed;
+    const Overhead overhead = overhead_along(network, side.segment, options);
+    for (const Mast& mast : overhead.masts)
+      if (mast.side == side)
+        try_place({overhead.kind == OverheadKind::span ? &models.span_mast : &models.telegraph_mast,
+                   mast.position, kerb_height_m, mast.heading_rad, 1});
+    const bool has_wires = !overhead.masts.empty() && overhead.masts[0].side == side;
+    bus_bay = {};
+    if (against_side && street.profile.kind != "residential")
+      stop_buses(kerb, Draws{substream(stream, 13000 + 10 * side.segment + side.reversed)});
     park(kerb, side.reversed ? street.profile.parking_right_m : street.profile.parking_left_m, with_side,
          substream(stream, 10 * side.segment + side.reversed));
     Draws draws{substream(stream, 5000 + 10 * side.segment + side.reversed)};
-    light(kerb, street.profile.lanes_forward + street.profile.lanes_backward > 2, draws);
-    if (against_side) sign(kerb, cut_first, first, street.profile, draws);
-    plant_avenue(kerb, draws);
+    if (!has_wires && overhead.kind != OverheadKind::span)  // lamps hang from the wires or are on their masts
+      light(kerb, street.profile.lanes_forward + street.profile.lanes_backward > 2, draws);
+    if (against_side)
+      sign(kerb, cut_first, first, signal_at(network, side.segment, side.reversed, seed),
+           network.junctions[network.start(side)].roundabout.has_value(), draws);
+    if (!has_wires) plant_avenue(kerb, draws);
     equip(kerb, cut_first, first, draws);
     walk(kerb, Draws{substream(stream, 9000 + 10 * side.segment + side.reversed)});
   }
@@ -61,17 +88,8 @@ class Furnisher {
     const bool park = plan.kind == BlockKind::park;
     for (const Vec2& p : plan.trees) {
       const double pick = draws.uniform(0, 1), scale = draws.uniform(0.75, 1.15);
-      const int species = park ? (pick < 0.35   ? lime
-                                  : pick < 0.55 ? plane
-                                  : pick < 0.8  ? maple
-                                  : pick < 0.9  ? shrub
-                                                : spruce)
-                               : (pick < 0.3    ? maple
-                                  : pick < 0.5  ? hornbeam
-                                  : pick < 0.6  ? spruce
-                                  : pick < 0.75 ? young
-                                                : shrub);
-      place_tree(species, p, scale, draws);
+      const std::vector<int>& grown = park ? park_trees() : garden_trees();
+      place_tree(grown[static_cast<std::size_t>(pick * static_cast<double>(grown.size()))], p, scale, draws);
     }
   }
 
@@ -79,7 +97,7 @@ class Furnisher {
   void furnish_lots() {
     Draws draws{substream(stream, 2)};
     for (const Spot& spot : plan.car_spots) {
-      const Model& model = draws.one_of(draws.one_of(models.cars));
+      const Model& model = draw_car(draws, models);
       if (draws.chance(std::min(1.0, 0.8 * options.parked_cars)))
         try_place({&model, spot.position, kerb_height_m + spot.rise_m, angle_of(spot.direction), 1});
     }
@@ -144,31 +162,38 @@ class Furnisher {
     }
   }
 
+  /// A stop, its sign where a bus's nose comes to stand; nobody parks behind it.
+  void stop_buses(const Kerb& kerb, Draws draws) {
+    const bool has_stop = draws.chance(0.35);
+    const double s = kerb.from + draws.uniform(3, 12), waiting = s + draws.uniform(3, 6);
+    if (!has_stop || s + bus_bay_m > kerb.to) return;
+    try_place({&models.bus_stop_sign, kerb.at(s, 0.5), kerb_height_m, kerb.facing(s), 1});
+    bus_bay = {s - 1, s + bus_bay_m};
+    constexpr double way_past_m = 1.2;
+    const double inset = kerb.pavement_m - shelter_half_depth_m - 0.1;
+    if (inset - shelter_half_depth_m > way_past_m)
+      try_place({&models.bus_shelter, kerb.at(waiting, inset), kerb_height_m, kerb.facing(waiting), 1});
+  }
+
   void park(const Kerb& kerb, double parking_m, bool with_side, Stream own) {
     if (parking_m <= 0) return;
     Draws draws{own};
     const double occupied = std::min(1.0, draws.uniform(0.35, 0.9) * options.parked_cars);
     double s = kerb.from + 0.5;
     while (s < kerb.to) {
-      const double pick = draws.uniform(0, 1);
-      const int kind = pick < 0.3    ? 0
-                       : pick < 0.45 ? 1
-                       : pick < 0.65 ? 2
-                       : pick < 0.8  ? 3
-                       : pick < 0.93 ? 4
-                                     : 5;
-      const Model& model = draws.one_of(models.cars[kind]);
+      const Model& model = draw_car(draws, models);
       const double gap = draws.uniform(0.10, 0.22), space = draws.uniform(0.5, 1.4),
                    turn = draws.uniform(-0.012, 0.012);
       const double reach =
-          2 * model.half_width + 0.06 - 0.17;  // the mirror towards the pavement overhangs the kerb
-      const bool parked =
-          draws.chance(occupied) && gap + reach <= parking_m && s + 2 * model.half_length < kerb.to;
+          2 * model.half_width + 0.06 - mirror_m;  // the mirror towards the pavement overhangs the kerb
+      const bool parked = draws.chance(occupied) && gap + reach <= parking_m &&
+                          s + 2 * model.half_length < kerb.to &&
+                          (s > bus_bay[1] || s + 2 * model.half_length < bus_bay[0]);
       if (parked) {
         const double middle = s + model.half_length;
         const Vec2 direction = with_side ? kerb.direction(middle) : Vec2(-kerb.direction(middle));
-        try_place(
-            {&model, kerb.at(middle, -gap - (model.half_width - 0.17)), 0, angle_of(direction) + turn, 1});
+        try_place({&model, kerb.at(middle, -gap - (model.half_width - mirror_m)), 0,
+                   angle_of(direction) + turn, 1});
       }
       s += 2 * model.half_length + space;
     }
@@ -181,13 +206,16 @@ class Furnisher {
       try_place({wide ? &models.tall_lamp : &models.lamp, kerb.at(s, 0.5), kerb_height_m, kerb.facing(s), 1});
   }
 
-  void sign(const Kerb& kerb, double cut, const Approach& approach, const StreetProfile& profile,
+  void sign(const Kerb& kerb, double cut, const Approach& approach, Signal signal, bool gives_way,
             Draws& draws) {
     const double s = cut + approach.stop_line_at_m + 0.4;
-    if (approach.crossing && profile.kind != "residential" && draws.chance(0.6)) {
-      const bool green = draws.chance(0.5);
+    if (signal != Signal::none) {
+      const bool green = signal == Signal::green;
       try_place({green ? &models.traffic_light_green : &models.traffic_light_red, kerb.at(s, 0.5),
                  kerb_height_m, kerb.facing(s), 1});
+    } else if (gives_way) {
+      try_place({&models.signs[static_cast<int>(SignKind::yield)], kerb.at(s, 0.65), kerb_height_m,
+                 kerb.facing(s), 1});
     } else if (approach.stop_line) {
       const SignKind kind = approach.crossing   ? SignKind::crossing
                             : draws.chance(0.6) ? SignKind::yield
@@ -204,9 +232,9 @@ class Furnisher {
 
   void plant_avenue(const Kerb& kerb, Draws& draws) {
     const double room = kerb.pavement_m - 0.9 + (plan.kind == BlockKind::closed ? 0.0 : 2.5);
-    const int species = room > 4.2 ? draws.one_of<int>({lime, plane, maple})
-                        : room > 3 ? draws.one_of<int>({maple, hornbeam, lime})
-                                   : draws.one_of<int>({hornbeam, young});
+    const int species = room > 4.2 ? draws.one_of<int>({lime, plane, maple, birch, poplar, plane})
+                        : room > 3 ? draws.one_of<int>({maple, hornbeam, lime, birch, plum})
+                                   : draws.one_of<int>({hornbeam, young, globe, plum});
     const bool planted = draws.chance(std::min(1.0, 0.45 * character.tree_density * options.tree_density));
     const double spacing = draws.uniform(7.5, 13), scale = draws.uniform(0.8, 1.15);
     if (!planted) return;
@@ -223,9 +251,14 @@ class Furnisher {
           try_place({&models.bollard, kerb.at(s, 0.35), kerb_height_m, kerb.facing(s), 1});
     for (double s = kerb.from + draws.uniform(5, 40); s < kerb.to; s += draws.uniform(25, 70)) {
       const double pick = draws.uniform(0, 1);
-      if (pick < 0.4)
+      if (pick < 0.2) {
+        const double along = angle_of(kerb.direction(s));
+        for (int left = draws.integer(1, 4), row = 0; row < left; ++row)  // at a stand, side by side
+          try_place({&draws.one_of(models.bicycles), kerb.at(s + 0.75 * row, kerb.pavement_m - 1.0),
+                     kerb_height_m, along + std::numbers::pi / 2, 1});
+      } else if (pick < 0.5)
         try_place({&models.bin, kerb.at(s, 0.75), kerb_height_m, kerb.facing(s), 1});
-      else if (pick < 0.7 && kerb.pavement_m > 3)
+      else if (pick < 0.75 && kerb.pavement_m > 3)
         try_place({&models.bench, kerb.at(s, kerb.pavement_m - 0.6), kerb_height_m, kerb.facing(s), 1});
       else
         try_place({&models.switch_box, kerb.at(s, kerb.pavement_m - 0.35), kerb_height_m, kerb.facing(s), 1});
@@ -244,6 +277,9 @@ class Furnisher {
                  angle_of(along) + draws.uniform(-0.4, 0.4), 1});
     }
   }
+
+  static constexpr double bus_bay_m = 15;
+  std::array<double, 2> bus_bay = {};  ///< stations of the kerb in hand where nobody parks
 
   const StreetNetwork& network;
   const BlockPlan& plan;

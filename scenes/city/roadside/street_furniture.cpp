@@ -3,24 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/city/roadside/plate.h"
+
 namespace cps::city {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// A flat polygon facing the traffic (−z in glTF's frame), its middle at height `height`, with a grey back.
-void add_plate(Mesh& mesh, MaterialId front, MaterialId back, int corners, double radius, double height,
-               double turn, double forward) {
-  std::vector<Vertex> face(corners), reverse(corners);
-  for (int i = 0; i < corners; ++i) {
-    const double a = turn - 2 * pi * i / corners;
-    face[i] = {Vec3(radius * std::cos(a), height + radius * std::sin(a), -forward)};
-    reverse[corners - 1 - i] = face[i];
-  }
-  add_polygon(mesh.surfaces[front], face);
-  for (Vertex& v : reverse) v.position.z() += 0.004;
-  add_polygon(mesh.surfaces[back], reverse);
-}
 
 void add_pole(Mesh& mesh, const Materials& m, double height, double radius) {
   add_tube(mesh.surfaces[m.pole], {0, -0.05, 0}, {0, height, 0}, radius, radius, 10, true);

@@ -101,7 +101,8 @@ Surroundings surroundings(const StreetNetwork& network, const Materials& materia
   const int trees = static_cast<int>(options.extent_m * draws.uniform(0.5, 1.3) * options.tree_density);
   for (int i = 0; i < trees; ++i) {
     const double distance = 14 + 700 * std::pow(draws.uniform(0, 1), 2.2);
-    const std::vector<Model>& species = models.trees[draws.one_of<int>({0, 0, 1, 2, 2, 6})];
+    const std::vector<Model>& species =
+        models.trees[draws.one_of<int>({lime, lime, maple, plane, plane, spruce, poplar, birch, pine})];
     const Model& model = draws.one_of(species);
     place(model, distance, draws.uniform(0, 2 * pi), draws.uniform(0, 2 * pi), draws.uniform(0.9, 1.6));
   }

@@ -42,7 +42,7 @@ Vec3 random_direction(Draws& draws) {
 
 /// The crown's radius at a height between its foot (0) and its top (1).
 double crown_profile(const TreeSpecies& s, double t) {
-  if (s.conifer) return s.crown_radius_m * std::pow(1 - t, 0.85);
+  if (s.whorled) return s.crown_radius_m * std::pow(1 - t, 0.85);
   const double x = t < s.crown_top ? (s.crown_top - t) / s.crown_top : (t - s.crown_top) / (1 - s.crown_top);
   return s.crown_radius_m * std::sqrt(std::max(0.0, 1 - std::pow(x, t < s.crown_top ? 2.0 : 2.4)));
 }
@@ -94,13 +94,14 @@ void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, Materi
     Vec3 outwards = at - centre;
     outwards.y() /= std::max(1.0, crown_height / (2 * s.crown_radius_m));
     outwards.normalize();
-    const Vec3 up = (outwards * 0.8 + random_direction(draws)).normalized();
+    const Vec3 strives = outwards * (0.8 * (1 - s.droop)) - Vec3(0, 1.4 * s.droop, 0);
+    const Vec3 up = (strives + random_direction(draws)).normalized();
     const Vec3 facing = (outwards + random_direction(draws) * 0.9).normalized();
     add_card(surface, at, up, facing, draws.uniform(0.5, 0.85) * fine, outwards);
   }
 }
 
-void add_conifer_crown(Mesh& mesh, const TreeSpecies& s, MaterialId needles, MaterialId bark, Draws& draws) {
+void add_whorled_crown(Mesh& mesh, const TreeSpecies& s, MaterialId needles, MaterialId bark, Draws& draws) {
   const double crown_height = s.height_m - s.trunk_height_m;
   const int whorls = s.limbs;
   for (int w = 0; w < whorls; ++w) {
@@ -135,7 +136,12 @@ const std::vector<TreeSpecies>& tree_species() {
       {"hornbeam", 8.0, 2.2, 1.7, 0.12, false, 0.45, 10, 900},
       {"young", 5.2, 2.0, 1.2, 0.06, false, 0.50, 7, 420},
       {"shrub", 1.9, 0.25, 1.0, 0.04, false, 0.50, 6, 320},
-      {"spruce", 12.0, 0.8, 2.6, 0.18, true, 0, 18, 0},
+      {"spruce", 12.0, 0.8, 2.6, 0.18, true, 0, 18, 0, Foliage::needles},
+      {"poplar", 19.0, 1.6, 1.5, 0.24, false, 0.35, 22, 1700, Foliage::fine},
+      {"birch", 11.5, 2.6, 2.2, 0.12, false, 0.35, 13, 1200, Foliage::fine, Bark::birch, 0.8},
+      {"pine", 12.0, 6.6, 2.9, 0.18, false, 0.30, 11, 900, Foliage::needles},
+      {"globe", 4.4, 2.1, 1.25, 0.07, false, 0.50, 10, 620, Foliage::fine},
+      {"plum", 5.4, 1.5, 1.9, 0.09, false, 0.40, 9, 800, Foliage::fine},
   };
   return species;
 }
@@ -144,14 +150,14 @@ Mesh tree(const TreeSpecies& s, MaterialId leaves, MaterialId bark, Stream strea
   Mesh mesh{s.name, {}};
   Draws draws{stream};
   const double fork =
-      s.conifer ? s.height_m * 0.98 : s.trunk_height_m + (s.height_m - s.trunk_height_m) * 0.65;
+      s.whorled ? s.height_m * 0.98 : s.trunk_height_m + (s.height_m - s.trunk_height_m) * 0.65;
   Vec3 middle;
   add_tube(mesh.surfaces[bark], {0, -0.1, 0}, {0, 0.5, 0}, s.trunk_radius_m * 1.45, s.trunk_radius_m, 10,
            false, bark_tile_m);
   add_bent_tube(mesh.surfaces[bark], {0, 0.5, 0}, {0, fork, 0}, s.trunk_radius_m, s.trunk_radius_m * 0.25, 10,
                 draws, &middle);
-  if (s.conifer)
-    add_conifer_crown(mesh, s, leaves, bark, draws);
+  if (s.whorled)
+    add_whorled_crown(mesh, s, leaves, bark, draws);
   else
     add_broad_crown(mesh, s, leaves, bark, draws);
   return mesh;

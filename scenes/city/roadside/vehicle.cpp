@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/city/roadside/vehicle_parts.h"
+
 namespace cps::city {
 namespace {
 
@@ -146,12 +148,6 @@ void add_body(Mesh& mesh, const VehicleClass& c, const Materials& m, MaterialId 
   }
 }
 
-/// A box in the car's own frame.
-void add_block(Surface& s, const Vec3& low, const Vec3& high) {
-  const Vec2 centre((low.x() + high.x()) / 2, -(low.z() + high.z()) / 2);
-  add_box(s, centre, {1, 0}, (high.x() - low.x()) / 2, (high.z() - low.z()) / 2, low.y(), high.y(), 1, true);
-}
-
 void add_fittings(Mesh& mesh, const VehicleClass& c, const Materials& m, MaterialId paint) {
   const double half = c.length_m / 2, w = c.width_m / 2;
   add_block(mesh.surfaces[m.car_trim], {-half + 0.12, 0.19, -w + 0.25},
@@ -163,20 +159,14 @@ void add_fittings(Mesh& mesh, const VehicleClass& c, const Materials& m, Materia
   add_block(mesh.surfaces[m.car_trim], {-half - 0.015, 0.28, -0.78 * w}, {-half + 0.05, 0.42, 0.78 * w});
   add_block(mesh.surfaces[m.number_plate], {half, 0.42, -0.26}, {half + 0.022, 0.53, 0.26});
   add_block(mesh.surfaces[m.number_plate], {-half - 0.012, 0.62, -0.26}, {-half, 0.73, 0.26});
-  for (const double side : {-1.0, 1.0}) {
-    const auto mirrored = [&](MaterialId material, const Vec3& low, const Vec3& high) {
-      add_block(mesh.surfaces[material], {low.x(), low.y(), side > 0 ? low.z() : -high.z()},
-                {high.x(), high.y(), side > 0 ? high.z() : -low.z()});
-    };
-    mirrored(m.head_light, {half - 0.05, 0.57, 0.48 * w}, {half + 0.01, 0.67, 0.80 * w});
-    mirrored(m.tail_light, {-half - 0.01, 0.66, 0.58 * w}, {-half + 0.05, 0.84, 0.80 * w});
-    mirrored(paint, {c.windscreen_foot_m - 0.30, c.belt_height_m, w * 0.96},
-             {c.windscreen_foot_m - 0.16, c.belt_height_m + 0.12, w + 0.17});
-    for (const double door : {c.windscreen_top_m - 0.72, c.windscreen_top_m - 1.62})
-      if (!c.panel_van)
-        mirrored(m.car_trim, {door - 0.1, c.belt_height_m - 0.16, w * 0.95},
+  add_blocks(mesh.surfaces[m.head_light], {half - 0.05, 0.57, 0.48 * w}, {half + 0.01, 0.67, 0.80 * w});
+  add_blocks(mesh.surfaces[m.tail_light], {-half - 0.01, 0.66, 0.58 * w}, {-half + 0.05, 0.84, 0.80 * w});
+  add_blocks(mesh.surfaces[paint], {c.windscreen_foot_m - 0.30, c.belt_height_m, w * 0.96},
+             {c.windscreen_foot_m - 0.16, c.belt_height_m + 0.12, w + mirror_m});
+  for (const double door : {c.windscreen_top_m - 0.72, c.windscreen_top_m - 1.62})
+    if (!c.panel_van)
+      add_blocks(mesh.surfaces[m.car_trim], {door - 0.1, c.belt_height_m - 0.16, w * 0.95},
                  {door + 0.06, c.belt_height_m - 0.13, w * 0.985 + 0.02});
-  }
 }
 
 void add_wheel(Mesh& mesh, const VehicleClass& c, const Materials& m, double x, double side) {
@@ -209,12 +199,14 @@ void add_wheel(Mesh& mesh, const VehicleClass& c, const Materials& m, double x, 
 
 const std::vector<VehicleClass>& vehicle_classes() {
   static const std::vector<VehicleClass> classes{
-      {"hatchback", 4.05, 1.76, 1.47, 0.31, 1.27, -1.25, 0.95, 0.93, 0.95, 1.02, 0.28, -1.45, -1.93},
-      {"saloon", 4.60, 1.82, 1.44, 0.32, 1.42, -1.38, 0.92, 0.92, 1.02, 0.95, 0.18, -0.95, -1.68},
-      {"estate", 4.68, 1.82, 1.47, 0.32, 1.45, -1.36, 0.93, 0.93, 0.98, 0.98, 0.22, -1.78, -2.20},
-      {"off-roader", 4.45, 1.87, 1.69, 0.36, 1.36, -1.30, 1.06, 1.06, 1.08, 0.95, 0.32, -1.60, -2.05},
-      {"city car", 3.60, 1.64, 1.49, 0.28, 1.18, -1.15, 0.95, 0.95, 0.98, 1.02, 0.42, -1.30, -1.70},
-      {"van", 5.30, 1.98, 2.35, 0.34, 1.75, -1.55, 1.20, 1.22, 1.20, 2.05, 1.40, -2.50, -2.60, true},
+      {"hatchback", 0.27, 4.05, 1.76, 1.47, 0.31, 1.27, -1.25, 0.95, 0.93, 0.95, 1.02, 0.28, -1.45, -1.93},
+      {"saloon", 0.15, 4.60, 1.82, 1.44, 0.32, 1.42, -1.38, 0.92, 0.92, 1.02, 0.95, 0.18, -0.95, -1.68},
+      {"estate", 0.19, 4.68, 1.82, 1.47, 0.32, 1.45, -1.36, 0.93, 0.93, 0.98, 0.98, 0.22, -1.78, -2.20},
+      {"off-roader", 0.14, 4.45, 1.87, 1.69, 0.36, 1.36, -1.30, 1.06, 1.06, 1.08, 0.95, 0.32, -1.60, -2.05},
+      {"city car", 0.12, 3.60, 1.64, 1.49, 0.28, 1.18, -1.15, 0.95, 0.95, 0.98, 1.02, 0.42, -1.30, -1.70},
+      {"people carrier", 0.06, 4.90, 1.90, 1.94, 0.33, 1.52, -1.48, 1.10, 1.08, 1.12, 1.80, 1.05, -2.24,
+       -2.40},
+      {"van", 0.07, 5.30, 1.98, 2.35, 0.34, 1.75, -1.55, 1.20, 1.22, 1.20, 2.05, 1.40, -2.50, -2.60, true},
   };
   return classes;
 }

@@ -8,6 +8,7 @@ namespace cps::city {
 /// it narrows.
 struct VehicleClass {
   const char* name;
+  double share;  ///< of the cars in a street; together 1
   double length_m, width_m, height_m;
   double wheel_radius_m, front_axle_m, rear_axle_m;  ///< axles: x
   double bonnet_height_m, belt_height_m, boot_height_m;
@@ -16,6 +17,9 @@ struct VehicleClass {
 };
 
 const std::vector<VehicleClass>& vehicle_classes();
+
+/// How far the mirrors stand out beyond the body's width.
+inline constexpr double mirror_m = 0.17;
 
 /// A parked car, wheels on the ground around the origin, looking along +x; `paint` is its body's material.
 Mesh vehicle(const VehicleClass& vehicle_class, const Materials& materials, MaterialId paint);

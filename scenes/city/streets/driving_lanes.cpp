@@ -197,6 +197,8 @@ std::vector<DrivingLane> driving_lanes(const StreetNetwork& network) {
     const auto add = [&](double left_m, bool backward) {
       DrivingLane lane;
       lane.street = segment.street;
+      lane.segment = static_cast<int>(s);
+      lane.backward = backward;
       lane.width_m = profile.lane_width_m;
       lane.points = offset(centre, left_m);
       drop_folds(lane.points);

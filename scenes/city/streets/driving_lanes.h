@@ -11,6 +11,8 @@ struct DrivingLane {
   Polyline points;
   std::vector<int> next;                     ///< lanes that begin where it ends
   int junction = -1;                         ///< the one it crosses; −1: it runs between two
+  int segment = -1;                          ///< of the network; −1 through a junction
+  bool backward = false;                     ///< it runs against its segment
   double left_kerb_m = 0, right_kerb_m = 0;  ///< from its middle, outside junctions
 };
 

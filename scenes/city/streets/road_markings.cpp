@@ -10,7 +10,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double line_width_m = 0.12, stop_line_width_m = 0.5, zebra_stripe_m = 0.5;
+constexpr double line_width_m = 0.12, zebra_stripe_m = 0.5;
 
 /// Paints on one segment; stations are metres from its first junction, offsets are to the left.
 struct Painter {

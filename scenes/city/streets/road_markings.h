@@ -5,6 +5,8 @@
 
 namespace cps::city {
 
+inline constexpr double stop_line_width_m = 0.5;
+
 /// What is painted where an arm of a junction begins, in metres from where its own carriageway begins.
 struct Approach {
   bool crossing = false, stop_line = false;

@@ -1,0 +1,82 @@
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "scenes/city/draws.h"
+#include "scenes/city/roadside/overhead.h"
+#include "scenes/city/roadside/signals.h"
+#include "scenes/city/streets/road_surface.h"
+
+using namespace cps;
+using namespace cps::city;
+
+namespace {
+
+constexpr MaterialId cable = 7;
+
+Materials wire_materials() {
+  Materials m{};
+  m.cable = cable;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("wires hang between masts on the pavements, above everything that drives") {
+  for (const CityStyle style : {CityStyle::european, CityStyle::suburb, CityStyle::industrial}) {
+    INFO(to_string(style));
+    int masts = 0, wires = 0;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const CityOptions options{.seed = seed, .style = style};
+      const StreetNetwork network = draw_street_network(options);
+      for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
+        for (const int segment : network.streets[s].segments)
+          for (const Mast& mast : overhead_along(network, segment, options).masts) {
+            ++masts;
+            const Polyline& centre = network.segments[segment].centre;
+            const double off = distance_to_line(centre, mast.position) - network.segments[segment].half_width;
+            CHECK(off > kerb_width_m + 0.15);
+            CHECK(off < network.streets[s].profile.pavement_m);
+            const Vec2 facing(std::cos(mast.heading_rad), std::sin(mast.heading_rad));
+            CHECK(distance_to_line(centre, mast.position + facing) < distance_to_line(centre, mast.position));
+          }
+        const Mesh mesh = overhead_wires(network, s, wire_materials(), options);
+        if (!mesh.surfaces.count(cable)) continue;
+        const Surface& surface = mesh.surfaces.at(cable);
+        wires += static_cast<int>(surface.positions.size());
+        for (const Eigen::Vector3f& p : surface.positions) {
+          CHECK(p.allFinite());
+          CHECK(p.y() > 4.8f);
+          CHECK(p.y() < 8.3f);
+        }
+      }
+    }
+    CHECK(masts > 30);
+    CHECK(wires > 500);
+  }
+}
+
+TEST_CASE("arms that face each other show the same light, those across the other") {
+  int pairs = 0, lights = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const StreetNetwork network = draw_street_network({.seed = seed, .style = CityStyle::downtown});
+    for (const Junction& junction : network.junctions)
+      for (const Side& a : junction.arms)
+        for (const Side& b : junction.arms) {
+          if (a == b || !network.is_road(a) || !network.is_road(b)) continue;
+          const Signal own = signal_at(network, a.segment, a.reversed, seed),
+                       other = signal_at(network, b.segment, b.reversed, seed);
+          lights += own != Signal::none;
+          if (own == Signal::none || other == Signal::none) continue;
+          const auto direction = [&](const Side& arm) {
+            const Polyline line = network.line(arm, 0);
+            return Vec2((line[1] - line[0]).normalized());
+          };
+          const double sine = std::abs(cross(direction(a), direction(b)));
+          if (sine < 0.2) CHECK(own == other);
+          if (sine > 0.98) CHECK(own != other);
+          ++pairs;
+        }
+  }
+  CHECK(lights > 50);
+  CHECK(pairs > 50);
+}

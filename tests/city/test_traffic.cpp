@@ -1,0 +1,132 @@
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "scenes/city/roadside/roadside.h"
+#include "scenes/city/roadside/traffic.h"
+#include "scenes/city/streets/road_markings.h"
+
+using namespace cps;
+using namespace cps::city;
+
+namespace {
+
+constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
+                                    CityStyle::industrial, CityStyle::mixed};
+
+const ModelLibrary& library() {
+  static GlbWriter writer;
+  static const ModelLibrary models = make_models(writer, make_materials(writer, 0), 0);
+  return models;
+}
+
+struct City {
+  CityOptions options;
+  StreetNetwork network = draw_street_network(options);
+  std::vector<DrivingLane> lanes = driving_lanes(network);
+  Traffic traffic = draw_traffic(network, lanes, draw_districts(options), library(), options);
+};
+
+/// Where along the lane the point of it that is nearest to `p` lies.
+double station_of(const Polyline& line, const Vec2& p) {
+  double best = 1e9, station = 0, before = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 along = line[i] - line[i - 1];
+    const double t = std::clamp((p - line[i - 1]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double d = (line[i - 1] + along * t - p).norm();
+    if (d < best) {
+      best = d;
+      station = before + t * along.norm();
+    }
+    before += along.norm();
+  }
+  return station;
+}
+
+}  // namespace
+
+TEST_CASE("traffic keeps to its lanes, its distances and off crossings; lanes say where it stands") {
+  for (const CityStyle style : all_styles)
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const City city{{.seed = seed, .style = style, .extent_m = 400}};
+      std::size_t next = 0;
+      int queued = 0, alone = 0;
+      REQUIRE(city.traffic.occupied.size() == city.lanes.size());
+      for (std::size_t i = 0; i < city.lanes.size(); ++i) {
+        const DrivingLane& lane = city.lanes[i];
+        const auto& occupied = city.traffic.occupied[i];
+        if (occupied.empty()) continue;
+        REQUIRE(lane.junction == -1);
+        const double whole = length(lane.points);
+        const Approach start = approach(city.network, lane.segment, lane.backward, seed),
+                       end = approach(city.network, lane.segment, !lane.backward, seed);
+        if (start.crossing) CHECK(occupied.front().from_m > start.crossing_from_m + start.crossing_length_m);
+        CHECK(occupied.front().from_m > 0);
+        CHECK(occupied.back().to_m < whole - (end.stop_line ? end.stop_line_at_m + stop_line_width_m : 0));
+        if (end.crossing) CHECK(occupied.back().to_m < whole - end.crossing_from_m - end.crossing_length_m);
+        for (std::size_t k = 1; k < occupied.size(); ++k) {
+          const double gap = occupied[k].from_m - occupied[k - 1].to_m;
+          CHECK(gap > 0.9);
+          CHECK((gap < 2.9 || gap > 14.7));
+          ++(gap < 2.9 ? queued : alone);
+        }
+        // Vehicles come lane by lane, the foremost first.
+        for (std::size_t k = occupied.size(); k-- > 0; ++next) {
+          const PlacedModel& vehicle = city.traffic.vehicles[next];
+          CHECK(vehicle.height == 0);
+          for (const Vec2& corner : vehicle.footprint()) {
+            CHECK(distance_to_line(lane.points, corner) < lane.width_m / 2 + 0.03);
+            const double s = station_of(lane.points, corner);
+            CHECK(s > occupied[k].from_m);
+            CHECK(s < occupied[k].to_m);
+          }
+          const Station there = station_at(lane.points, (occupied[k].from_m + occupied[k].to_m) / 2);
+          const Vec2 looks(std::cos(vehicle.heading_rad), std::sin(vehicle.heading_rad));
+          CHECK(looks.dot(there.direction) > 0.95);
+        }
+      }
+      CHECK(next == city.traffic.vehicles.size());
+      CHECK(next > 10);
+      CHECK(alone > 0);
+      if (style == CityStyle::downtown) CHECK(queued > 10);
+      for (std::size_t a = 0; a < next; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+          if ((city.traffic.vehicles[a].position - city.traffic.vehicles[b].position).norm() < 14 &&
+              overlap(city.traffic.vehicles[a].footprint(), city.traffic.vehicles[b].footprint(), 0.01))
+            FAIL_CHECK(city.traffic.vehicles[a].model->name << " in "
+                                                            << city.traffic.vehicles[b].model->name);
+    }
+}
+
+TEST_CASE("traffic stands clear of everything along the streets") {
+  for (const CityStyle style : all_styles) {
+    INFO(to_string(style));
+    const City city{{.seed = 5, .style = style, .extent_m = 300}};
+    const Districts districts = draw_districts(city.options);
+    for (int b = 0; b < static_cast<int>(city.network.blocks.size()); ++b) {
+      const CityCharacter& character = districts.character_at(block_middle(city.network, b));
+      const BlockPlan plan = plan_block(city.network, b, character, city.options.seed);
+      for (const PlacedModel& placed : furnish(city.network, b, plan, library(), character, city.options))
+        for (const PlacedModel& vehicle : city.traffic.vehicles)
+          if ((placed.position - vehicle.position).norm() < 14 &&
+              overlap(placed.footprint(), vehicle.footprint(), 0.02))
+            FAIL_CHECK(vehicle.model->name << " in " << placed.model->name);
+    }
+  }
+}
+
+TEST_CASE("traffic follows its option, and centres have more of it than suburbs") {
+  const auto per_km = [](CityStyle style, double traffic) {
+    double vehicles = 0, km = 0;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const City city{{.seed = seed, .style = style, .traffic = traffic}};
+      vehicles += static_cast<double>(city.traffic.vehicles.size());
+      for (const DrivingLane& lane : city.lanes)
+        if (lane.segment >= 0) km += length(lane.points) / 1000;
+    }
+    return vehicles / km;
+  };
+  CHECK(per_km(CityStyle::european, 0) == 0);
+  CHECK(per_km(CityStyle::european, 0.5) < 0.7 * per_km(CityStyle::european, 1));
+  CHECK(per_km(CityStyle::downtown, 1) > 2 * per_km(CityStyle::suburb, 1));
+}
