@@ -43,7 +43,10 @@ Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
   for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
     const PlannedScene& scene = plan.scenes[s];
     Json entry = {{"file", scene.file.filename().string()}};
-    if (scene.city) entry["city"] = {{"style", to_string(scene.city->style)}, {"seed", scene.city->seed}};
+    if (scene.city)
+      entry["city"] = {{"style", to_string(scene.city->style)},
+                       {"seed", scene.city->seed},
+                       {"traffic", scene.city->traffic}};
     entry["metres_per_unit"] = scene.metres_per_unit;
     entry["credits"] = scene.credits;
     entry["sha256"] = sha256[s];

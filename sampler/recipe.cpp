@@ -39,6 +39,8 @@ bool Recipe::is_valid(std::string* why) const {
        "scene, city_seed, cities: name at least one scene or city"},
       {is_between(cities, 0, 100'000), "cities: must lie in [0, 100000]"},
       {!city_styles.empty(), "city_style: name at least one, as european"},
+      {is_between(traffic_min, 0, 2) && is_between(traffic_max, traffic_min, 2),
+       "traffic_min ≤ traffic_max: must lie in [0, 2]"},
       {is_between(conditions_per_scene, 1, 100'000), "conditions_per_scene: must lie in [1, 100000]"},
       {!sizes.empty(), "size: name at least one, as 1392x512"},
       {all_sizes([](const ImageSize& s) { return s.width >= 32 && s.height >= 32; }),

@@ -26,6 +26,7 @@ struct Recipe {
   std::vector<std::uint64_t> city_seeds;                    ///< procedural cities, made when needed
   int cities = 0;                                           ///< so many more, whose seeds are drawn
   std::vector<CityStyle> city_styles{CityStyle::european};  ///< of all of them, in turn
+  double traffic_min = 0.3, traffic_max = 1.7;  ///< drawn for each: times what its style has on its lanes
 
   // Conditions: each scene in so many lights.
   int conditions_per_scene = 1;

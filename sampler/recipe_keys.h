@@ -17,6 +17,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
   visit("cities", r.cities, "so many more procedural cities, whose seeds are drawn");
   visit("city_style", r.city_styles, "the cities' styles, in turn, separated by commas");
+  visit("traffic_min", r.traffic_min, "least traffic of a city, times what its style has; 0: none");
+  visit("traffic_max", r.traffic_max, "most; 2 at most");
 
   visit("conditions_per_scene", r.conditions_per_scene, "each has its own day, hour and weather");
   for_each_light_key(r.light, visit);

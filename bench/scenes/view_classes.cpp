@@ -13,10 +13,11 @@ struct Kind {
 const Kind kinds[] = {
     {ViewClass::road, {"asphalt", "tar", "road_", "gutter", "manhole", "cycle_", "rail"}},
     {ViewClass::other_ground, {"paving", "kerb", "grass", "soil", "terrain"}},
-    {ViewClass::vegetation, {"leaves", "needles", "bark", "hedge", "leaf"}},
+    {ViewClass::vegetation, {"leaves", "fine_leaves", "needles", "bark", "hedge"}},
     {ViewClass::vehicle, {"car_", "tyre", "rim", "head_", "tail_", "number_", "bus_", "lorry_", "bicycle_"}},
     {ViewClass::other,
-     {"pole", "lamp", "sign_", "signal_", "wood", "cloth", "skin", "hair", "fence", "container_", "wire"}},
+     {"pole", "lamp", "sign_", "signal_", "wood", "cloth", "skin", "hair", "fence", "container_", "cable",
+      "mast"}},
 };
 
 ViewClass class_of(const std::string& material) {

@@ -80,6 +80,7 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"day_min = 0", "day_min ≤ day_max: must lie in [1, 365]"},
       {"clear_share = 0.9\nhazy_share = 0.2", "clear_share, hazy_share"},
       {"latitude_deg = 91", "latitude_deg: must lie in [-90, 90]"},
+      {"traffic_max = 3", "traffic_min ≤ traffic_max: must lie in [0, 2]"},
       {"ego_bonnet = 1", "ego_bonnet = 1: is neither true nor false"},
       {"cities = -1", "cities: must lie in"},
       {"conditions_per_scene = 0", "conditions_per_scene: must lie in"},

@@ -27,8 +27,17 @@ TEST_CASE("drawn cities differ, follow the recipe's seed, and stay when more are
   recipe.cities = 200;
   const auto scenes = plan_scenes(recipe, "");
   std::set<std::uint64_t> seeds;
-  for (const PlannedScene& scene : scenes) seeds.insert(scene.city->seed);
+  double least = 2, most = 0;
+  for (const PlannedScene& scene : scenes) {
+    seeds.insert(scene.city->seed);
+    least = std::min(least, scene.city->traffic);
+    most = std::max(most, scene.city->traffic);
+  }
   CHECK(seeds.size() == 200);
+  CHECK(least >= recipe.traffic_min);
+  CHECK(least < recipe.traffic_min + 0.1);
+  CHECK(most <= recipe.traffic_max);
+  CHECK(most > recipe.traffic_max - 0.1);
   recipe.cities = 50;
   const auto fewer = plan_scenes(recipe, "");
   for (int i = 0; i < 50; ++i) CHECK(fewer[i].file == scenes[i].file);
