@@ -1,35 +1,45 @@
 #!/usr/bin/env bash
 # Equal-error race with Blender's Cycles: bench/renderer/race.sh FOLDER [CPS]
 # A procedural city, Lambert materials, masked leaves, textures, sun and constant sky, one thread each, renders of both
-# interleaved in one run. Prints the samples and CPU seconds with which cps reaches the RMSE of Cycles' 64 samples, each
-# against its own converged picture (their texture filters differ), and how far the converged pictures are apart.
-# Needs Debian's blender, python3-numpy and openimageio-tools; FOLDER keeps the pictures. SIZE, SAMPLES and REFERENCE
-# (samples of the converged pictures) can be set, and OPTIONS for Cycles' script alone (--nearest, --no-textures).
+# in turns in one run. Prints for each the samples, CPU seconds and RMSE: the RMS difference between pictures of two
+# seeds over √2, so that neither needs a converged picture and their different texture filters play no part. Set
+# REFERENCE to a number of samples to see as well how far the converged pictures are apart.
+# Needs Debian's blender, python3-numpy and openimageio-tools; FOLDER keeps the pictures. SIZE, SAMPLES (of Cycles), OURS
+# and SEEDS can be set, and OPTIONS for Cycles' script alone (--nearest, --no-textures).
 set -euo pipefail
 out=$1 cps=${2:-build/release/bin/cps}
-SIZE=${SIZE:-348x128} SAMPLES=${SAMPLES:-64} REFERENCE=${REFERENCE:-2048}
+SIZE=${SIZE:-348x128} SAMPLES=${SAMPLES:-64} OURS=${OURS:-32 48 64} SEEDS=${SEEDS:-1 2}
 mkdir -p "$out"
 script=$(dirname "$0")/cycles.py
 
 [ -e "$out/city.glb" ] || $cps city --seed 7 --extent-m 300 -o "$out/city.glb"
 view=(--size "$SIZE" --hfov 70 --position=172,1.65,-4.9 --look-at=69.7,1.65,-183.2) # along a street of that city
 
-cycles() { # NAME SAMPLES [OPTIONS]
-  blender -b --factory-startup -P "$script" -- "$out/city.glb" "$out/$1.exr" "${view[@]}" --samples "$2" ${OPTIONS:-} "${@:3}" 2>&1 |
-    grep '^cycles:'
+cycles() { # NAME SAMPLES SEED
+  blender -b --factory-startup -P "$script" -- "$out/city.glb" "$out/full.exr" "${view[@]}" --samples "$2" --seed "$3" \
+    ${OPTIONS:-} 2>&1 | grep '^cycles:'
+  oiiotool "$out/full.exr" --ch R,G,B -o "$out/$1.exr" # without alpha, which would dilute the error
 }
-ours() { # NAME SAMPLES [OPTIONS]
+ours() { # NAME SAMPLES SEED
   $cps render "$out/city.glb" "${view[@]}" --materials diffuse --sky 1 --sun-irradiance 3 \
-    --threads 1 --samples "$2" -o "$out/$1.exr" "${@:3}"
+    --threads 1 --samples "$2" --seed "$3" -o "$out/$1.exr"
+}
+rms() { # PICTURE PICTURE
+  idiff -warn 1e-9 -fail 1e9 "$out/$1.exr" "$out/$2.exr" | awk '/RMS/ {print $4}' || true
 }
 
-echo "# references"
-[ -e "$out/cycles_reference.exr" ] || cycles cycles_reference "$REFERENCE" --seed 1
-[ -e "$out/cps_reference.exr" ] || ours cps_reference "$REFERENCE" --seed 1
-echo "# Cycles, and its error"
-cycles cycles "$SAMPLES"
-idiff -warn 1e-9 -fail 1e9 "$out/cycles_reference.exr" "$out/cycles.exr" | grep RMS
-echo "# cps, and its error"
-ours cps "$SAMPLES" --reference "$out/cps_reference.exr"
-echo "# converged pictures against each other"
-idiff -warn 1e-9 -fail 1e9 -o "$out/difference.exr" -abs -scale 4 "$out/cycles_reference.exr" "$out/cps_reference.exr" | grep -E "Mean|RMS" || true
+for seed in $SEEDS; do
+  cycles "cycles_$seed" "$SAMPLES" "$seed"
+  for samples in $OURS; do ours "cps${samples}_$seed" "$samples" "$seed"; done
+done
+read -r first second _ <<< "$SEEDS"
+for name in cycles $(printf 'cps%s ' $OURS); do
+  awk -v d="$(rms "${name}_$first" "${name}_$second")" -v n="$name" 'BEGIN {printf "%s: RMSE %.5f\n", n, d / sqrt(2)}'
+done
+if [ -n "${REFERENCE:-}" ]; then
+  cycles cycles_reference "$REFERENCE" 1
+  ours cps_reference "$REFERENCE" 1
+  echo "converged pictures differ by (mean, RMS):"
+  idiff -warn 1e-9 -fail 1e9 -o "$out/difference.exr" -abs -scale 4 "$out/cycles_reference.exr" "$out/cps_reference.exr" |
+    grep -E "Mean|RMS" || true
+fi
