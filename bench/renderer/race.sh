@@ -25,7 +25,7 @@ ours() { # NAME SAMPLES SEED
     --threads 1 --samples "$2" --seed "$3" -o "$out/$1.exr"
 }
 rms() { # PICTURE PICTURE
-  idiff -warn 1e-9 -fail 1e9 "$out/$1.exr" "$out/$2.exr" | awk '/RMS/ {print $4}' || true
+  idiff -fail 0 "$out/$1.exr" "$out/$2.exr" | awk '/RMS/ {print $4}' || true
 }
 
 for seed in $SEEDS; do
@@ -40,6 +40,6 @@ if [ -n "${REFERENCE:-}" ]; then
   cycles cycles_reference "$REFERENCE" 1
   ours cps_reference "$REFERENCE" 1
   echo "converged pictures differ by (mean, RMS):"
-  idiff -warn 1e-9 -fail 1e9 -o "$out/difference.exr" -abs -scale 4 "$out/cycles_reference.exr" "$out/cps_reference.exr" |
+  idiff -fail 0 -o "$out/difference.exr" -abs -scale 4 "$out/cycles_reference.exr" "$out/cps_reference.exr" |
     grep -E "Mean|RMS" || true
 fi
