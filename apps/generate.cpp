@@ -18,9 +18,6 @@
 #include "renderer/render.h"
 #include "sampler/plan.h"
 #include "sampler/rig_file.h"
-#include "scenes/drive/unit_scale.h"
-#include "scenes/ego_bonnet.h"
-#include "scenes/gltf_import.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -68,13 +65,6 @@ ViewRecord make_view(const Plan& plan, std::int64_t index, const RenderScene& sc
   return record;
 }
 
-Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
-  Scene scene = import_gltf(planned.file);
-  scale_scene(scene, planned.metres_per_unit);
-  if (recipe.ego_bonnet) add_ego_bonnet(scene);
-  return scene;
-}
-
 void generate(const Plan& plan, Journal& journal, const fs::path& root) {
   for (const PlannedGroup& group : plan.groups)
     write_json(root / group.folder / "calibration.json", to_json(group_label(plan, group)));
@@ -86,14 +76,14 @@ void generate(const Plan& plan, Journal& journal, const fs::path& root) {
     if (journal.finished().contains(v)) continue;
     const PlannedView& view = plan.views[v];
     const PlannedCondition& condition = plan.conditions[view.condition];
-    const PlannedScene& place = plan.scenes[condition.scene];
+    const PlannedScene& planned = plan.scenes[condition.scene];
     if (loaded != view.condition) {
-      scene = build_render_scene(load_scene(place, plan.recipe), condition.light.daylight);
+      scene = build_render_scene(load_scene(planned, plan.recipe), condition.light.daylight);
       loaded = view.condition;
     }
     put_car(*scene, world_from_vehicle(view.place));
     journal.append(make_view(plan, v, *scene, root));
-    progress.advance(1, place.file.filename().string() + " " + plan.sets[view.set].folder);
+    progress.advance(1, planned.file.filename().string() + " " + plan.sets[view.set].folder);
   }
   progress.finish();
 }

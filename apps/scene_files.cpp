@@ -4,6 +4,9 @@
 
 #include "dataset/files.h"
 #include "dataset/group_label.h"
+#include "scenes/drive/unit_scale.h"
+#include "scenes/ego_bonnet.h"
+#include "scenes/gltf_import.h"
 
 namespace cps {
 
@@ -18,6 +21,13 @@ void make_scene_files(const std::vector<PlannedScene>& scenes) {
     fs::create_directories(scene.file.parent_path());
     write_city(*scene.city, scene.file);
   }
+}
+
+Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
+  Scene scene = import_gltf(planned.file);
+  scale_scene(scene, planned.metres_per_unit);
+  if (recipe.ego_bonnet) add_ego_bonnet(scene);
+  return scene;
 }
 
 std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes) {
