@@ -22,7 +22,7 @@ DriveOptions drive_options_from(const po::variables_map& values, const Recipe& r
     throw po::error("--scale: must be 0 or lie in [1e-6, 1e6]");
   if (values.count("route") == 0) return drive;
   drive.route = values["route"].as<std::string>();
-  if (recipe.scenes.size() != 1 || !recipe.city_seeds.empty())
+  if (recipe.scenes.size() != 1 || !recipe.city_seeds.empty() || recipe.cities > 0)
     throw po::error("--route: needs a recipe with one scene and no city");
   return drive;
 }

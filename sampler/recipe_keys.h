@@ -13,7 +13,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("name", r.name, "what the dataset calls itself");
   visit("seed", r.seed, "everything drawn follows from it");
 
-  visit("scene", r.scenes, "glTF files with lanes, separated by commas");
+  visit("scene", r.scenes,
+        "glTF files, separated by commas; one without lanes is searched for ground to drive on");
   visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
   visit("cities", r.cities, "so many more procedural cities, whose seeds are drawn");
   visit("city_style", r.city_styles, "the cities' styles, in turn, separated by commas");

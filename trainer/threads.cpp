@@ -1,15 +1,12 @@
 #include "trainer/threads.h"
 
 #include <ATen/Parallel.h>
-
-#include <algorithm>
-#include <thread>
+#include <tbb/info.h>
 
 namespace cps {
 
 void use_threads(int threads) {
-  at::set_num_threads(threads > 0 ? threads
-                                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  at::set_num_threads(threads > 0 ? threads : tbb::info::default_concurrency());
 }
 
 }  // namespace cps

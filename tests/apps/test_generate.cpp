@@ -174,3 +174,15 @@ TEST_CASE("a folder begun with another recipe is refused") {
   CHECK(refused.exit_status == 1);
   CHECK_THAT(refused.output, Catch::Contains("max_zoom = 2"));
 }
+
+TEST_CASE("a drive from a file belongs to one scene, not to drawn cities as well") {
+  const TemporaryFolder folder;
+  for (const char* cities : {"--cities 1", "--city_seed 4"}) {
+    const ProgramRun run =
+        run_cps("generate --scene a.glb --size 80x45 --base_hfov_deg 60 --views 3 --route r.csv " +
+                std::string(cities) + " --out " + (folder.path / "d").string());
+    INFO(run.output);
+    CHECK(run.exit_status == 2);
+    CHECK_THAT(run.output, Catch::Contains("--route: needs a recipe with one scene and no city"));
+  }
+}
