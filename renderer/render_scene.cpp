@@ -39,6 +39,7 @@ std::shared_ptr<RenderScene> build_render_scene(const Scene& scene, const Daylig
 }
 
 void put_car(RenderScene& scene, const Eigen::Isometry3d& world_from_vehicle) {
+  if (scene.vehicle_from_mesh.empty()) return;
   auto vehicle_from_mesh = scene.vehicle_from_mesh.begin();
   for (Placement& placement : scene.placed.placements) {
     if (!placement.rides) continue;

@@ -82,8 +82,7 @@ Sky make_overcast_sky(const Daylight& daylight) {
   const Atmosphere atmosphere = make_atmosphere(daylight.turbidity);
   const float under_clouds_klx = 0.3f + 21.0f * std::max(0.0f, to_sun.y());
   // ∫ (1 + 2 sin γ)/3 · sin γ over the upper half is 7π/9.
-  const Color white = d65_white() / luminance(d65_white());
-  const Color zenith = white * (under_clouds_klx * 9.0f / (7.0f * std::numbers::pi_v<float>));
+  const Color zenith = d65_white() * (under_clouds_klx * 9.0f / (7.0f * std::numbers::pi_v<float>));
 
   Sky sky = make_empty_sky(sky_columns, sky_rows, Rows::crowded_at_horizon);
   for (int row = sky_rows / 2; row < sky_rows; ++row) {

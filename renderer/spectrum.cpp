@@ -104,7 +104,8 @@ Color to_rec709(const Spectrum& spectrum) {
 }
 
 Color d65_white() {
-  return (rec709_from_xyz() * d65_xyz).cast<float>().array();
+  const Color white = (rec709_from_xyz() * d65_xyz).cast<float>().array();
+  return white / luminance(white);
 }
 
 }  // namespace cps

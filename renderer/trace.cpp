@@ -80,6 +80,20 @@ RTCRay to_embree(const Ray& ray) {
   return r;
 }
 
+Hit nearest(RTCScene scene, RTCScene riding, const Ray& ray, RTCFilterFunctionN filter) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  RTCRayHit query;
+  query.ray = to_embree(ray);
+  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &query);
+  if (riding) rtcIntersect1(riding, &context, &query);
+  const RTCHit& hit = query.hit;
+  return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v,
+          query.ray.tfar};
+}
+
 void set_lane(RTCRay8& rays, int lane, const Ray& ray) {
   rays.org_x[lane] = ray.origin.x(), rays.org_y[lane] = ray.origin.y(), rays.org_z[lane] = ray.origin.z();
   rays.dir_x[lane] = ray.direction.x(), rays.dir_y[lane] = ray.direction.y(),
@@ -130,7 +144,6 @@ Bvh::Bvh(const PlacedGeometry& placed) : device(rtcNewDevice("isa=avx2")) {
 }
 
 void Bvh::move_riding(const PlacedGeometry& placed) {
-  if (!riding) return;
   tbb::task_arena one_thread(1);
   one_thread.execute([&] {
     for (std::size_t i = 0; i < placed.placements.size(); ++i) {
@@ -143,24 +156,6 @@ void Bvh::move_riding(const PlacedGeometry& placed) {
   });
   check(device.get());
 }
-
-namespace {
-
-Hit nearest(RTCScene scene, RTCScene riding, const Ray& ray, RTCFilterFunctionN filter) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.filter = filter;
-  RTCRayHit query;
-  query.ray = to_embree(ray);
-  query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene, &context, &query);
-  if (riding) rtcIntersect1(riding, &context, &query);
-  const RTCHit& hit = query.hit;
-  return {hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.instID[0] : hit.geomID, hit.primID, hit.u, hit.v,
-          query.ray.tfar};
-}
-
-}  // namespace
 
 Hit Bvh::intersect(const Ray& ray) const {
   return nearest(scene.get(), riding.get(), ray, nullptr);

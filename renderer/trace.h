@@ -38,7 +38,7 @@ class Bvh {
  public:
   explicit Bvh(const PlacedGeometry& placed);
 
-  /// Takes over the transforms of the placements that ride with the car.
+  /// Takes over the transforms of the placements that ride with the car. There are some.
   void move_riding(const PlacedGeometry& placed);
 
   /// Nearest surface. Alpha masks cut holes; a half-transparent surface stops a share of the rays.

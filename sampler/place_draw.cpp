@@ -57,17 +57,17 @@ std::vector<Part> parts_of_lanes(const DrivableScene& scene) {
 
 }  // namespace
 
-std::vector<UsableStretch> usable_stretches(std::span<const Lane> lanes, std::span<const Part> lane_parts) {
+std::vector<LaneStretch> usable_stretches(std::span<const Lane> lanes, std::span<const Part> lane_parts) {
   std::vector<bool> is_entered(lanes.size(), false);
   for (const Lane& lane : lanes)
     for (int next : lane.next) is_entered[next] = true;
-  std::vector<UsableStretch> usable;
+  std::vector<LaneStretch> usable;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     const Lane& lane = lanes[i];
     const double whole_m = length_m(lane);
     const bool leaves_part = std::any_of(lane.next.begin(), lane.next.end(),
                                          [&](int next) { return lane_parts[next] != lane_parts[i]; });
-    UsableStretch stretch{.from_m = is_entered[i] ? 0 : blind_end_m, .to_m = whole_m};
+    LaneStretch stretch{.from_m = is_entered[i] ? 0 : blind_end_m, .to_m = whole_m};
     if (leaves_part)
       stretch.to_m -= std::min(other_part_m, whole_m / 2);
     else if (lane.next.empty())

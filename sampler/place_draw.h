@@ -16,17 +16,11 @@
 
 namespace cps {
 
-/// The stretch of a lane on which places are drawn, from its first point.
-struct UsableStretch {
-  double from_m = 0, to_m = 0;
-  double length_m() const { return to_m - from_m; }
-};
-
 /// Where a car may be put in one scene: its lanes, its routes dealt out to the parts, and what stands in the
 /// way.
 struct DrivableScene {
   std::vector<Lane> lanes;
-  std::vector<UsableStretch> usable;  ///< one per lane
+  std::vector<LaneStretch> usable;  ///< where places are drawn, one per lane
   std::vector<Route> routes;
   std::vector<Part> route_parts;  ///< one per route; all of them `all` when streets are shared
   LaneTraffic traffic;
@@ -36,7 +30,7 @@ struct DrivableScene {
 /// What of each lane is driven on, given each lane's part: all of it where lanes go on, 3 m less at an end
 /// without a link, where the road stops; and where a lane leads to another part's, only as far as its middle
 /// or 10 m before its end, so that no place there has a twin in the other part.
-std::vector<UsableStretch> usable_stretches(std::span<const Lane> lanes, std::span<const Part> lane_parts);
+std::vector<LaneStretch> usable_stretches(std::span<const Lane> lanes, std::span<const Part> lane_parts);
 
 /// Throws std::runtime_error when the scene (called `name` in the message) has no lanes, or too few streets
 /// for three parts.

@@ -1,5 +1,6 @@
 #include "scenes/ego_bonnet.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cps {

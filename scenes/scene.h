@@ -100,6 +100,7 @@ struct Instance {
 /// Metres along a lane from its first point.
 struct LaneStretch {
   double from_m = 0, to_m = 0;
+  double length_m() const { return to_m - from_m; }
 };
 
 /// A drivable lane: its centre line in driving direction.
@@ -107,8 +108,8 @@ struct Lane {
   std::string street;  ///< lanes of one street see the same houses, so they stay in one split
   float width_m = 3.25f;
   std::vector<Eigen::Vector3f> points;
-  std::vector<int> next;  ///< lanes (indices into Scene::lanes) that go on where it ends; may be empty
-  std::vector<LaneStretch> occupied;  ///< where vehicles stand on it
+  std::vector<int> next = {};  ///< lanes (indices into Scene::lanes) that go on where it ends; may be empty
+  std::vector<LaneStretch> occupied = {};  ///< where vehicles stand on it
 };
 
 /// A perspective camera that came with the scene. Camera frame: x right, y down, z forward.

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "apps/scene_files.h"
 #include "bench/scenes/view_classes.h"
 #include "dataset/files.h"
 #include "dataset/plot.h"
@@ -104,9 +105,7 @@ OIIO::ImageBuf photograph(const RenderScene& scene, const PlannedView& view, int
 Statistics see(CityStyle style, int views, const fs::path& folder) {
   const Recipe recipe = recipe_of(style, views);
   const std::vector<PlannedScene> scenes = plan_scenes(recipe, folder / "cities");
-  fs::create_directories(folder / "cities");
-  for (const PlannedScene& scene : scenes)
-    if (!fs::exists(scene.file)) write_city(*scene.city, scene.file);
+  make_scene_files(scenes);
   const Plan plan = make_plan(recipe, Rig{}, scenes,
                               [](const fs::path& file) { return DrivenScene{.scene = import_gltf(file)}; });
   Statistics statistics;

@@ -177,8 +177,8 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, const Terr
   }
 }
 
-double millimetres(double x) {
-  return std::round(x * 1e3) / 1e3;
+double to_whole_mm(double metres) {
+  return std::round(metres * 1e3) / 1e3;
 }
 
 nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::vector<DrivingLane>& lanes,
@@ -188,13 +188,13 @@ nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::ve
     const DrivingLane& lane = lanes[i];
     nlohmann::ordered_json points = nlohmann::ordered_json::array();
     for (const Vec3& p : on_terrain(lane.points, terrain))
-      points.push_back({millimetres(p.x()), millimetres(p.y()), millimetres(p.z())});
+      points.push_back({to_whole_mm(p.x()), to_whole_mm(p.y()), to_whole_mm(p.z())});
     list.push_back({{"street", network.streets[lane.street].name},
-                    {"width_m", millimetres(lane.width_m)},
+                    {"width_m", to_whole_mm(lane.width_m)},
                     {"points", std::move(points)},
                     {"next", lane.next}});
     for (const OccupiedStretch& o : traffic.occupied[i])
-      list.back()["occupied"].push_back({millimetres(o.from_m), millimetres(o.to_m)});
+      list.back()["occupied"].push_back({to_whole_mm(o.from_m), to_whole_mm(o.to_m)});
   }
   return list;
 }

@@ -22,6 +22,37 @@ const Eigen::Affine3f vehicle_from_ball(Eigen::Translation3f(2, 0, 1));
 
 }  // namespace
 
+TEST_CASE("What rides with the car shades what is below it, for rays that run alike too") {
+  RenderScene riding(floor_and_ball(vehicle_from_ball, true), constant_light(1));
+  const Place place{.position = {3, 0, -4}, .heading_rad = 0.7};
+  put_car(riding, world_from_vehicle(place));
+  const Eigen::Affine3f world_from_ball = world_from_vehicle(place).cast<float>() * vehicle_from_ball;
+  int in_shadow = 0;
+  for (int i = 0; i < 200; ++i) {
+    Ray rays[packet_size];
+    bool active[packet_size];
+    const Stream stream = substream(make_stream(9, "rays"), i);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      const auto around = [&](int n) {
+        return static_cast<float>(random_uniform(stream, 2 * lane + n, -1, 1));
+      };
+      rays[lane].origin = world_from_ball.translation() + Vec3(around(0), -0.9f, around(1));
+      rays[lane].direction = Vec3(0.02f, 1, 0.01f).normalized();  // up from the floor, in one octant
+      active[lane] = true;
+    }
+    Color light[packet_size];
+    riding.bvh.transmittance_coherent(rays, active, light);
+    for (int lane = 0; lane < packet_size; ++lane) {
+      const Vec3 to_ball = world_from_ball.translation() - rays[lane].origin;
+      const float off_m = to_ball.cross(rays[lane].direction).norm();
+      if (std::abs(off_m - 0.5f) < 0.01f) continue;  // the ball is made of flat faces
+      CHECK((light[lane].maxCoeff() == 0) == (off_m < 0.5f));
+      in_shadow += off_m < 0.5f;
+    }
+  }
+  CHECK(in_shadow > 200);
+}
+
 TEST_CASE("What rides with the car is where the car is put, for all kinds of rays") {
   RenderScene riding(floor_and_ball(vehicle_from_ball, true), constant_light(1));
   for (int p = 0; p < 3; ++p) {

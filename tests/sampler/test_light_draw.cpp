@@ -55,7 +55,7 @@ TEST_CASE("clear, hazy and overcast skies have their shares and their haze") {
   CHECK(is_share(Weather::hazy, options.hazy_share));
 }
 
-TEST_CASE("days are drawn from the options's span, and a sun that never stands so is refused") {
+TEST_CASE("days are drawn from the options' span, and a sun that never stands so is refused") {
   LightOptions options;
   options.day_min = options.day_max = 172;
   CHECK(date_text(light_of(options, 0).moment) == "2025-06-21");

@@ -51,7 +51,7 @@ TEST_CASE("a turn into another part's street is driven to its middle, so no plac
       {"A", 3, {{50, 0, 0}, {58, 0, 6}}, {4}},   {"A", 3, {{62, 0, 0}, {90, 0, 0}}, {}},
       {"B", 3, {{58, 0, 6}, {58, 0, 100}}, {5}}, {"C", 3, {{58, 0, 100}, {58, 0, 130}}, {}}};
   const std::vector<Part> parts = {Part::train, Part::train, Part::train, Part::train, Part::test, Part::val};
-  const std::vector<UsableStretch> usable = usable_stretches(lanes, parts);
+  const std::vector<LaneStretch> usable = usable_stretches(lanes, parts);
   const auto check = [&](int lane, double from_m, double to_m) {
     INFO("lane " << lane);
     CHECK(usable[lane].from_m == Approx(from_m).margin(1e-9));

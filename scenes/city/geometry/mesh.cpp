@@ -53,6 +53,12 @@ void add_box(Surface& surface, const Vec2& centre, const Vec2& along, double hal
              {lift(ring[1], bottom), {u, v}}, {lift(ring[0], bottom), {0, v}});
 }
 
+void add_block(Surface& s, const Vec3& low, const Vec3& high, double tile_m) {
+  const Vec2 centre((low.x() + high.x()) / 2, -(low.z() + high.z()) / 2);
+  add_box(s, centre, {1, 0}, (high.x() - low.x()) / 2, (high.z() - low.z()) / 2, low.y(), high.y(), tile_m,
+          true);
+}
+
 void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m) {
   const auto first = static_cast<std::uint32_t>(surface.positions.size());
   for (const Vec2& p : polygon) {

@@ -59,6 +59,9 @@ inline void add_quad(Surface& surface, const Vertex& a, const Vertex& b, const V
 void add_box(Surface& surface, const Vec2& centre, const Vec2& along, double half_length, double half_width,
              double bottom, double top, double tile_m = 1, bool with_bottom = false);
 
+/// The same between its low and its high corner (glTF's frame), along the axes and with a bottom.
+void add_block(Surface& surface, const Vec3& low, const Vec3& high, double tile_m = 1);
+
 /// A horizontal face over a plan polygon (any simple one), texture coordinates in world metres / `tile_m`.
 void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m);
 

@@ -1,9 +1,6 @@
 #include "scenes/city/roadside/bus_stop.h"
 
-#include <numbers>
-
 #include "scenes/city/roadside/plate.h"
-#include "scenes/city/roadside/vehicle_parts.h"
 
 namespace cps::city {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "scenes/city/draws.h"
-#include "scenes/city/roadside/vehicle_parts.h"
 #include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/road_surface.h"
 

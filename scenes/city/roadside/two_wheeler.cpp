@@ -1,5 +1,7 @@
 #include "scenes/city/roadside/two_wheeler.h"
 
+#include <cmath>
+
 #include "scenes/city/roadside/vehicle_parts.h"
 
 namespace cps::city {

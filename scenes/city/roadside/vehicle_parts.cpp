@@ -5,12 +5,6 @@
 
 namespace cps::city {
 
-void add_block(Surface& s, const Vec3& low, const Vec3& high, double tile_m) {
-  const Vec2 centre((low.x() + high.x()) / 2, -(low.z() + high.z()) / 2);
-  add_box(s, centre, {1, 0}, (high.x() - low.x()) / 2, (high.z() - low.z()) / 2, low.y(), high.y(), tile_m,
-          true);
-}
-
 void add_blocks(Surface& s, const Vec3& low, const Vec3& high) {
   add_block(s, low, high);
   add_block(s, {low.x(), low.y(), -high.z()}, {high.x(), high.y(), -low.z()});

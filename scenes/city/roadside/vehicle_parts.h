@@ -5,10 +5,7 @@
 /// Pieces that vehicles of several kinds are put together from: x forward, y up, z to the right, metres.
 namespace cps::city {
 
-/// A box between its low and its high corner; texture coordinates are metres / `tile_m`.
-void add_block(Surface& surface, const Vec3& low, const Vec3& high, double tile_m = 1);
-
-/// The same on both sides: `low` and `high` describe the right one.
+/// Boxes on both sides: `low` and `high` are the corners of the right one.
 void add_blocks(Surface& surface, const Vec3& low, const Vec3& high);
 
 /// A tyre with its rim; `hub` is the middle of its outer face, `side` +1 on the right and −1 on the left.
