@@ -36,7 +36,7 @@ Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int 
 }
 
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y) {
-  return path_along(source, pixel, make_sampler(source.seed, x, y, 0), 0, Eigen::Vector2f::Zero());
+  return path_along(source, pixel, make_sampler(source.seed, x, y, 0), 0, central_offset_px);
 }
 
 }  // namespace cps

@@ -20,7 +20,11 @@ PathSource make_path_source(const Camera& camera, const RenderOptions& options);
 /// Sample `index` of a pixel, at the beginning of its path.
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index);
 
-/// The path through the pixel's very centre: what the pixel shows where nothing may be averaged.
+/// Where in the pixel its central ray passes, from the centre. An edge that two triangles share may run
+/// exactly through the centres of pixels, and rays that meet it exactly can slip between the two.
+inline const Eigen::Vector2f central_offset_px(1.0f / 4096, 1.0f / 8192);
+
+/// The path through the pixel's centre, but for that: what the pixel shows where nothing may be averaged.
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y);
 
 }  // namespace cps

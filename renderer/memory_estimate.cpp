@@ -7,7 +7,7 @@
 namespace cps {
 namespace {
 
-/// Of Embree 3.13's robust triangles at medium quality, at the height of the build. Measured: 99 and 93 on
+/// Of Embree 3.13's triangles at medium quality, at the height of the build. Measured: 99 and 93 on
 /// grids of 2 and 10 million triangles, of which 67 and 60 stay; 71 stay in a city, whose leaves are less
 /// full.
 constexpr std::size_t bvh_bytes_per_triangle = 120;

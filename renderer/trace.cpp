@@ -56,9 +56,11 @@ void filter_backs(const RTCFilterFunctionNArguments* args) {
   if (normal.dot(direction) > 0.0f) args->valid[0] = 0;
 }
 
+/// Without Embree's robust traversal, which costs 12 % of the time: a few rays in ten million slip between
+/// triangles that share an edge.
 RTCScene new_scene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
   return scene;
 }

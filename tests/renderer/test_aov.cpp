@@ -2,7 +2,7 @@
 #include <map>
 
 #include "renderer/aov.h"
-#include "renderer/camera_rays.h"
+#include "renderer/camera_path.h"
 #include "tests/renderer/handmade.h"
 
 using namespace cps;
@@ -49,7 +49,8 @@ TEST_CASE("Layers of a floor and a sphere, through a lens, against their closed 
   int on_floor = 0, on_sphere = 0, nothing = 0;
   for (int y = 0; y < 47; ++y) {
     for (int x = 0; x < 61; ++x) {
-      const Eigen::Vector3d d = camera_ray(rays, camera_pixel(rays, x, y), {0, 0}).direction.cast<double>();
+      const Eigen::Vector3d d =
+          camera_ray(rays, camera_pixel(rays, x, y), central_offset_px).direction.cast<double>();
       const Eigen::Vector3d to_center = Eigen::Vector3d(0, 2, 0) - from;
       const double along = to_center.dot(d), miss = (to_center - along * d).norm();
       if (std::abs(miss - 1) < 2e-3) continue;  // the silhouette of a sphere made of triangles
@@ -107,6 +108,29 @@ TEST_CASE("Albedo is averaged over the pixel, ids are not") {
   CHECK(id(aovs[Aov::material], 2, 1) == 2);
   CHECK(aovs[Aov::albedo].getchannel(1, 1, 0, 0) == Approx(0.6).margin(1.0 / 16));
   CHECK(aovs[Aov::albedo].getchannel(1, 1, 0, 2) == Approx(0.4).margin(1.0 / 16));
+}
+
+TEST_CASE("Central rays do not slip through an edge that runs through pixels' centres") {
+  Camera view;
+  view.pinhole = {64, 64, 31, 31, 32, 32};  // the quad's diagonal passes the centres of the picture's
+  view.world_from_camera.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  for (int turn = 0; turn < 40; ++turn) {
+    const Eigen::Isometry3d placed = Eigen::Translation3d(3.1 * turn, 1.7, -2.3 * turn) *
+                                     Eigen::AngleAxisd(0.37 * turn, Eigen::Vector3d(1, 2, 3).normalized());
+    const float depth = 1.0f + static_cast<float>(turn);
+    Scene scene;
+    scene.materials = {material({1, 1, 1, 1})};
+    Mesh mesh = quad({-2 * depth, -2 * depth, -depth}, {4 * depth, 0, 0}, {0, 4 * depth, 0});
+    mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+    add(scene, mesh, Eigen::Affine3f(placed.cast<float>()));
+    Camera camera = view;
+    camera.world_from_camera = placed * view.world_from_camera;
+    auto aovs = all_aovs(RenderScene(scene, constant_light(1)), camera, 1);
+    for (int i = 0; i < 64; ++i) {
+      CHECK(id(aovs[Aov::material], i, i) == 1);
+      CHECK(id(aovs[Aov::material], i, 63 - i) == 1);
+    }
+  }
 }
 
 TEST_CASE("Names of layers are checked") {
