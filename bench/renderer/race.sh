@@ -13,15 +13,7 @@ mkdir -p "$out"
 script=$(dirname "$0")/cycles.py
 
 [ -e "$out/city.glb" ] || $cps city --seed 7 --extent-m 300 -o "$out/city.glb"
-read -r position look_at < <(python3 - "$out/city.glb" <<'LANE'
-# A driver's eye on the city's first lane, as text: X,Y,Z X,Y,Z.
-import json, struct, sys
-data = open(sys.argv[1], "rb").read()
-length, = struct.unpack_from("<I", data, 12)
-begin, end = json.loads(data[20:20 + length])["scenes"][0]["extras"]["cps_lanes"][0]["points"][:2]
-print(*(",".join(f"{value + up:.3f}" for value, up in zip(point, (0, 1.65, 0))) for point in (begin, end)))
-LANE
-)
+read -r position look_at < <(python3 "$(dirname "$0")/first_lane.py" "$out/city.glb")
 view=(--size "$SIZE" --hfov 70 "--position=$position" "--look-at=$look_at")
 
 cycles() { # NAME SAMPLES SEED
