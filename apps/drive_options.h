@@ -8,7 +8,7 @@
 
 namespace cps {
 
-/// `--scale` and `--route`: how the recipe's scenes are made fit to drive in.
+/// `--metres_per_unit` and `--route`: how the recipe's scenes are made fit to drive in.
 boost::program_options::options_description drive_flags();
 
 /// What the flags say, checked against the recipe. Throws boost::program_options::error in one line.

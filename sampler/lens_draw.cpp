@@ -1,6 +1,7 @@
 #include "sampler/lens_draw.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -28,17 +29,23 @@ Interval rescaled(const Interval& limits, Coefficient which, double unit) {
 
 /// The coefficients in units of the half diagonal, on the frame that has 1 of them; false if the draw is to
 /// be rejected.
-bool draw_coefficients(LensScheme scheme, double hfov_rad, const Eigen::AlignedBox2d& frame,
-                       const LensBounds& bounds, Stream stream, DrawnLens& lens) {
+bool draw_coefficients(LensScheme scheme, const Pinhole& camera, const Eigen::AlignedBox2d& frame,
+                       const LensOptions& options, Stream stream, DrawnLens& lens) {
+  const LensBounds& bounds = options.bounds;
   if (scheme == LensScheme::sequential) {
-    const SequentialDraw drawn = draw_sequential(frame, bounds, stream);
+    const double squared_unit = std::pow(half_diagonal(camera), 2);
+    CoefficientChoice choice = options.coefficients;
+    choice.k1_min *= squared_unit;
+    choice.k1_max *= squared_unit;
+    const SequentialDraw drawn = draw_sequential(frame, bounds, choice, stream);
     lens.distortion = drawn.lens;
     std::copy(drawn.limits.begin(), drawn.limits.end(), lens.limits.begin());
     return true;
   }
   const Stream radial = make_stream(stream.key, "radial");
-  const std::optional<Distortion> drawn =
-      scheme == LensScheme::shape_prior ? radial_lens(draw_shape(radial)) : draw_real_lens(hfov_rad, radial);
+  const std::optional<Distortion> drawn = scheme == LensScheme::shape_prior
+                                              ? radial_lens(draw_shape(radial))
+                                              : draw_real_lens(hfov_rad(camera), radial);
   if (!drawn) return false;
   lens.distortion = *drawn;
   const Eigen::Vector2d tangential =
@@ -76,8 +83,7 @@ DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, c
   unit_camera.fx *= half_diagonal(camera);
   unit_camera.fy = unit_camera.fx;
   DrawnLens lens;
-  if (!draw_coefficients(scheme, hfov_rad(camera), frame_on_plane(unit_camera), options.bounds, stream,
-                         lens)) {
+  if (!draw_coefficients(scheme, camera, frame_on_plane(unit_camera), options, stream, lens)) {
     lens.crop.why = "the lens drawn from the prior exceeds the bounds";
     return lens;
   }
@@ -101,6 +107,8 @@ DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, c
 }  // namespace
 
 DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& options, Stream stream) {
+  if (order == CropOrder::label_first && options.coefficients.has_k1_range())
+    throw std::runtime_error("k1_min, k1_max: need the base's H-FOV, as k1 is only known with it");
   // Chosen once, before any rejection, so that the share is that of the lenses kept.
   const bool for_coverage = random_uniform(make_stream(stream.key, "scheme"), 0) < options.sequential_share;
   const LensScheme scheme = for_coverage ? LensScheme::sequential : options.scheme;

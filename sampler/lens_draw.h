@@ -33,7 +33,8 @@ struct DrawnLens {
 /// then cx and cy, in random order, uniform inside the shifts that keep the crop's zoom below its cap. Every
 /// lens is within options.bounds on its base's frame, certificate included. One that is not, or whose crop
 /// exceeds the zoom cap or what the warp's oversampling carries, is drawn again as a whole. Throws
-/// std::runtime_error when the options leave no lens.
+/// std::runtime_error when the options leave no lens, or limit k1, which is told on the base's plane z = 1,
+/// where no base is given.
 DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& options, Stream stream);
 
 /// No distortion, centred principal point, zoom 1: base and final camera are `camera`.

@@ -7,7 +7,7 @@
 namespace cps {
 
 SetGroups::SetGroups(Plan& plan, int set, int camera) : plan_(plan), set_(set), camera_(camera) {
-  undistorted_ = add(0, Part::all, undistorted_lens(plan.sets[set].camera));
+  if (plan.recipe.undistorted) undistorted_ = add(0, Part::all, undistorted_lens(plan.sets[set].camera));
 }
 
 const SetGroups::Block& SetGroups::block_of(Part part, int rank_in_part) {
@@ -19,9 +19,13 @@ const SetGroups::Block& SetGroups::block_of(Part part, int rank_in_part) {
 
 SetGroups::Block SetGroups::draw_block(Part part) {
   const Recipe& recipe = plan_.recipe;
-  Block block{.groups = {undistorted_}, .master = {}};
-  std::vector<DrawnLens> lenses = {plan_.groups[undistorted_].lens};
-  for (int i = 0; i < recipe.lenses; ++i) {
+  Block block;
+  std::vector<DrawnLens> lenses;
+  if (undistorted_ >= 0) {
+    block.groups.push_back(undistorted_);
+    lenses.push_back(plan_.groups[undistorted_].lens);
+  }
+  for (int i = 0; i < recipe.lenses[plan_.sets[set_].size]; ++i) {
     const int number = ++plan_.distorted_lenses;
     lenses.push_back(draw_lens(plan_.sets[set_].camera, recipe.crop_order(), recipe.lens_options,
                                substream(make_stream(recipe.seed, "lens"), number)));

@@ -8,13 +8,13 @@
 
 namespace cps {
 
-/// Adds one set's and camera's groups to the plan as its views ask for them: the undistorted one, and
-/// `lenses` of its own for every block of `views_per_lens` views of each part.
+/// Adds one set's and camera's groups to the plan as its views ask for them: the undistorted one if the
+/// recipe wants it, and `lenses` of its own for every block of `views_per_lens` views of each part.
 class SetGroups {
  public:
   /// What views share that are seen through the same lenses.
   struct Block {
-    std::vector<int> groups;  ///< indices into plan.groups, the undistorted one first
+    std::vector<int> groups;  ///< indices into plan.groups, the undistorted one first, if there is one
     Pinhole master;
   };
 
@@ -29,7 +29,7 @@ class SetGroups {
 
   Plan& plan_;
   int set_, camera_;
-  int undistorted_;
+  int undistorted_ = -1;  ///< -1: none
   std::map<std::pair<Part, int>, Block> blocks_;
 };
 

@@ -19,6 +19,9 @@ template <typename OptionsT, typename Visitor>
 void for_each_lens_key(OptionsT& o, Visitor&& visit) {
   visit("lens_draw", o.scheme, "sequential, or from a prior: shape_prior or real_lenses");
   visit("sequential_share", o.sequential_share, "share of sequential draws among the lenses of a prior");
+  visit("coefficients", o.coefficients.drawn, "those drawn, the others are 0 (sequential only)");
+  visit("k1_min", o.coefficients.k1_min, "least k1 on the plane z = 1, where the bounds allow it");
+  visit("k1_max", o.coefficients.k1_max, "most");
   for_each_bound_key(o.bounds, visit);
   visit("max_zoom", o.principal_point.max_zoom, "largest zoom of the crop");
   visit("principal_point_x", o.principal_point.max_shift_x, "largest shift of cx, of the width");

@@ -23,11 +23,13 @@ std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) 
 
 std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
   std::vector<PlannedSet> sets;
-  for (const ImageSize& size : recipe.sizes)
+  for (std::size_t s = 0; s < recipe.sizes.size(); ++s)
     for (double hfov_deg :
          recipe.crop_order() == CropOrder::base_first ? recipe.base_hfov_deg : recipe.hfov_deg) {
+      const ImageSize& size = recipe.sizes[s];
       sets.push_back(
           {.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
+           .size = static_cast<int>(s),
            .camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg))});
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
@@ -40,14 +42,15 @@ std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
 void plan_views_of_set(Plan& plan, int set) {
   const Recipe& recipe = plan.recipe;
   const Stream set_stream = substream(make_stream(recipe.seed, "view"), set);
-  const std::vector<double> equal_weights(recipe.views, 1.0);
+  const int views = recipe.views[plan.sets[set].size];
+  const std::vector<double> equal_weights(views, 1.0);
   const std::vector<Part> parts =
       deal_parts(equal_weights, recipe.train_share, recipe.val_share, make_stream(set_stream.key, "part"));
   std::vector<SetGroups> groups_of_camera;
   for (int camera = 0; camera < static_cast<int>(plan.rig.cameras.size()); ++camera)
     groups_of_camera.emplace_back(plan, set, camera);
   int rank_in_part[3] = {0, 0, 0};
-  for (int index = 0; index < recipe.views; ++index) {
+  for (int index = 0; index < views; ++index) {
     const Part part = parts[index];
     const int rank = rank_in_part[static_cast<int>(part)]++;
     for (int camera = 0; camera < static_cast<int>(plan.rig.cameras.size()); ++camera) {
@@ -57,7 +60,7 @@ void plan_views_of_set(Plan& plan, int set) {
            .index = index,
            .rig_camera = camera,
            .condition = static_cast<int>(static_cast<std::int64_t>(index) *
-                                         static_cast<std::int64_t>(plan.conditions.size()) / recipe.views),
+                                         static_cast<std::int64_t>(plan.conditions.size()) / views),
            .part = part,
            .street = {},
            .place = {},

@@ -26,6 +26,7 @@ struct PlannedCondition {
 /// One size at one H-FOV.
 struct PlannedSet {
   std::string folder;  ///< 1392x512_hfov090
+  int size = 0;        ///< index into the recipe's sizes
   Pinhole camera;      ///< output-sized, centred: the base of all its lenses, or, label-first, their image
 };
 
@@ -52,7 +53,7 @@ struct PlannedView {
   RigCamera camera;  ///< with this view's mount errors
   std::uint64_t seed = 0;
   Pinhole master;           ///< what is rendered, for all its groups
-  std::vector<int> groups;  ///< the undistorted one first
+  std::vector<int> groups;  ///< the undistorted one first, if there is one
 };
 
 struct Plan {

@@ -1,11 +1,14 @@
 #include "sampler/recipe.h"
 
+#include <algorithm>
 #include <boost/program_options/parsers.hpp>
 #include <cmath>
 #include <fstream>
 
 #include "sampler/key_options.h"
+#include "sampler/lens_check.h"
 #include "sampler/recipe_keys.h"
+#include "sampler/recipe_scale.h"
 
 namespace po = boost::program_options;
 
@@ -33,6 +36,13 @@ bool Recipe::is_valid(std::string* why) const {
   bool hfovs_in_range = true;
   for (const auto& hfovs : {base_hfov_deg, hfov_deg})
     for (double hfov : hfovs) hfovs_in_range &= is_between(hfov, 5, 165);
+  const auto all_between = [](const PerSize& numbers, int low, int high) {
+    return std::all_of(numbers.values.begin(), numbers.values.end(),
+                       [&](int number) { return is_between(number, low, high); });
+  };
+  const auto fits_sizes = [&](const PerSize& numbers) {
+    return numbers.values.size() == 1 || numbers.values.size() == sizes.size();
+  };
   const Check checks[] = {
       {!name.empty(), "name: must not be empty"},
       {!scenes.empty() || !city_seeds.empty() || cities > 0,
@@ -51,7 +61,8 @@ bool Recipe::is_valid(std::string* why) const {
       {base_hfov_deg.empty() || hfov_deg.empty(),
        "base_hfov_deg, hfov_deg: one follows from the other; name only one of them"},
       {hfovs_in_range, "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
-      {is_between(views, 3, 1'000'000),
+      {fits_sizes(views), "views: name one number, or as many as there are sizes"},
+      {all_between(views, 3, 1'000'000),
        "views: must lie in [3, 1000000], one for each of train, val and test"},
       {is_between(mount_error_deg, 0, 30), "mount_error_deg: must lie in [0, 30]"},
       {is_between(mount_error_m, 0, 0.5), "mount_error_m: must lie in [0, 0.5]"},
@@ -60,7 +71,10 @@ bool Recipe::is_valid(std::string* why) const {
       {is_between(lane_change_share, 0, 1), "lane_change_share: must lie in [0, 1]"},
       {is_between(clearance_m, 0, 50), "clearance_m: must lie in [0, 50]"},
       {is_between(side_clearance_m, 0, 50), "side_clearance_m: must lie in [0, 50]"},
-      {is_between(lenses, 0, 10'000), "lenses: must lie in [0, 10000]"},
+      {fits_sizes(lenses), "lenses: name one number, or as many as there are sizes"},
+      {all_between(lenses, 0, 10'000), "lenses: must lie in [0, 10000]"},
+      {undistorted || all_between(lenses, 1, 10'000),
+       "lenses: must lie in [1, 10000] where undistorted = false"},
       {views_per_lens >= 0, "views_per_lens: must not be negative"},
       {is_between(train_share, 0.01, 0.98) && is_between(val_share, 0.01, 0.98) &&
            train_share + val_share <= 0.99,
@@ -75,13 +89,21 @@ bool Recipe::is_valid(std::string* why) const {
       *why = check.reason;
       return false;
     }
-  return light.is_valid(why) && lens_options.is_valid(why) && sensor.is_valid(why);
+  if (!light.is_valid(why) || !lens_options.is_valid(why) || !sensor.is_valid(why)) return false;
+  if (crop_order() == CropOrder::label_first && lens_options.coefficients.has_k1_range()) {
+    *why = "k1_min, k1_max: need base_hfov_deg, as k1 is only known with the base";
+    return false;
+  }
+  return true;
 }
 
 po::options_description recipe_options() {
   const Recipe defaults;
-  return key_options("Recipe keys (in the file, or as flags that override it)",
-                     [&](auto visit) { for_each_recipe_key(defaults, visit); });
+  po::options_description options = key_options("Recipe keys (in the file, or as flags that override it)",
+                                                [&](auto visit) { for_each_recipe_key(defaults, visit); });
+  options.add_options()("scale", po::value<double>()->default_value(1),
+                        "makes so much of the recipe: views and cities times this, at least 3 and 1");
+  return options;
 }
 
 void store_recipe_file(const std::filesystem::path& file, po::variables_map& values) {
@@ -102,6 +124,8 @@ Recipe recipe_from(const po::variables_map& values) {
     throw std::runtime_error(std::string("recipe: ") + error.what());
   }
   if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error("recipe: " + why);
+  require_lenses(recipe);
+  if (values.count("scale") > 0) recipe = scaled_recipe(recipe, values["scale"].as<double>());
   return recipe;
 }
 

@@ -10,6 +10,7 @@
 #include "distortion/image_size.h"
 #include "sampler/lens_draw.h"
 #include "sampler/light_draw.h"
+#include "sampler/per_size.h"
 #include "scenes/city/city_style.h"
 #include "sensor/develop.h"
 
@@ -36,7 +37,7 @@ struct Recipe {
   std::vector<ImageSize> sizes;
   std::vector<double> base_hfov_deg;
   std::vector<double> hfov_deg;
-  int views = 0;  ///< places per set, each seen by every camera of the rig
+  PerSize views = 0;  ///< places per set, each seen by every camera of the rig
 
   // The car.
   std::string rig;                 ///< a rig file; none: one camera, front
@@ -51,8 +52,9 @@ struct Recipe {
   double clearance_m = 2.5, side_clearance_m = 0.8;
 
   // Lenses. Each part of the split has its own.
-  int lenses = 0;          ///< distorted images per view
-  int views_per_lens = 0;  ///< after so many views a part draws new lenses; 0: never
+  PerSize lenses = 0;       ///< distorted images per view
+  bool undistorted = true;  ///< one more image per view, through no lens
+  int views_per_lens = 0;   ///< after so many views a part draws new lenses; 0: never
   LensOptions lens_options;
 
   // Parts: `route` gives whole streets to train, val or test; `thesis` splits by view and shares streets.
@@ -78,7 +80,8 @@ boost::program_options::options_description recipe_options();
 /// file, key, fix.
 void store_recipe_file(const std::filesystem::path& file, boost::program_options::variables_map& values);
 
-/// The recipe that these keys make: checked. Throws std::runtime_error: key, value, fix.
+/// The recipe that these keys make, made smaller if `scale` says so: checked, and at least one lens found for
+/// each of its sets. Throws std::runtime_error: key, value, fix.
 Recipe recipe_from(const boost::program_options::variables_map& values);
 
 /// The recipe as a file that reads back to the same recipe: every key, one a line.

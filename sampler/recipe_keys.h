@@ -28,7 +28,7 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
   visit("hfov_deg", r.hfov_deg,
         "instead: H-FOVs of the images, after the crop; each lens gets the base that leads there");
-  visit("views", r.views, "views per size, H-FOV and camera: so many places");
+  visit("views", r.views, "views per size, H-FOV and camera: so many places; a number, or one per size");
 
   visit("rig", r.rig, "rig file, as named or beside the recipe; none: one camera, 1.65 m high");
   visit("ego_bonnet", r.ego_bonnet, "show the car's own bonnet; a network may then read the H-FOV off it");
@@ -41,7 +41,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("clearance_m", r.clearance_m, "free way a place must have in front of a camera");
   visit("side_clearance_m", r.side_clearance_m, "the same for cameras more than 60 degrees off ahead");
 
-  visit("lenses", r.lenses, "distorted images per view, besides the undistorted one");
+  visit("lenses", r.lenses, "distorted images per view; a number, or one per size");
+  visit("undistorted", r.undistorted, "every view once more, through no lens");
   visit("views_per_lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
   for_each_lens_key(r.lens_options, visit);
 

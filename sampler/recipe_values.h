@@ -57,6 +57,14 @@ void parse_value(std::string_view text, std::vector<T>& values) {
   }
 }
 
+inline void parse_value(std::string_view text, PerSize& value) {
+  parse_value(text, value.values);
+}
+
+inline void parse_value(std::string_view text, Coefficient& value) {
+  value = coefficient_from_string(std::string(text));
+}
+
 inline std::string value_text(const std::string& value) {
   return value;
 }
@@ -83,11 +91,19 @@ inline std::string value_text(CityStyle style) {
   return to_string(style);
 }
 
+inline std::string value_text(Coefficient value) {
+  return to_string(value);
+}
+
 template <typename T>
 std::string value_text(const std::vector<T>& values) {
   std::string text;
   for (const T& value : values) text += (text.empty() ? "" : ", ") + value_text(value);
   return text;
+}
+
+inline std::string value_text(const PerSize& value) {
+  return value_text(value.values);
 }
 
 }  // namespace cps

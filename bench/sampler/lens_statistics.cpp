@@ -43,7 +43,8 @@ struct Sample {
 
 /// One H-FOV, or each of `hfovs_deg` in turn where it is 0.
 Sample draw(LensScheme scheme, CropOrder order, double one_hfov_deg) {
-  const LensOptions options{.scheme = scheme, .sequential_share = 0, .bounds = {}, .principal_point = {}};
+  const LensOptions options{
+      .scheme = scheme, .sequential_share = 0, .coefficients = {}, .bounds = {}, .principal_point = {}};
   Sample sample;
   for (int i = 0; i < lens_count; ++i) {
     const double hfov_deg = one_hfov_deg > 0 ? one_hfov_deg : hfovs_deg[i % std::size(hfovs_deg)];
@@ -106,7 +107,7 @@ std::string order_effects() {
   Values values[5][5];  // of a coefficient at a position
   for (int i = 0; i < 4 * lens_count; ++i) {
     const SequentialDraw drawn =
-        draw_sequential(frame_on_plane(unit), LensBounds{}, substream(make_stream(2, "statistics"), i));
+        draw_sequential(frame_on_plane(unit), {}, {}, substream(make_stream(2, "statistics"), i));
     for (int position = 0; position < 5; ++position) {
       const int which = drawn.order[position];
       values[which][position].push_back(coefficient(drawn.lens, static_cast<Coefficient>(which)));

@@ -23,11 +23,12 @@ std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& 
   std::vector<Lane> drives = find_drives(ground);
   if (drives.empty()) {
     char text[200];
-    std::snprintf(
-        text, sizeof text,
-        ": no way to drive was found (%.0f x %.0f x %.0f m, largest flat piece %.0f m2); set --scale "
-        "or name a --route",
-        scene.bounds.sizes().x(), scene.bounds.sizes().y(), scene.bounds.sizes().z(), ground.area_m2);
+    std::snprintf(text, sizeof text,
+                  ": no way to drive was found (%.0f x %.0f x %.0f m, largest flat piece %.0f m2); set "
+                  "--metres_per_unit "
+                  "or name a --route",
+                  scene.bounds.sizes().x(), scene.bounds.sizes().y(), scene.bounds.sizes().z(),
+                  ground.area_m2);
     throw std::runtime_error(file.string() + text);
   }
   return drives;

@@ -25,8 +25,11 @@ OIIO::ImageBuf picture(const Pinhole& camera) {
 }  // namespace
 
 TEST_CASE("every lens of a label-first view finds its pixels in the one master, whatever its base") {
-  const LensOptions options{
-      .scheme = LensScheme::shape_prior, .sequential_share = 0.5, .bounds = {}, .principal_point = {}};
+  const LensOptions options{.scheme = LensScheme::shape_prior,
+                            .sequential_share = 0.5,
+                            .coefficients = {},
+                            .bounds = {},
+                            .principal_point = {}};
   const Pinhole camera = pinhole_from_hfov(160, 90, radians(80));
   int oversampled = 0;
   for (int view = 0; view < 12; ++view) {
