@@ -14,7 +14,7 @@
 namespace cps {
 namespace {
 
-/// Columns `samples` (the first) and `rmse` (the third), as decimal logarithms.
+/// The first column, `samples`, and the root of the fourth, `rel_mse`, as decimal logarithms.
 PlotSeries read_curve(const std::string& argument) {
   const std::size_t equals = argument.find('=');
   if (equals == std::string::npos) throw std::runtime_error(argument + ": must be NAME=FILE.csv");
@@ -23,10 +23,10 @@ PlotSeries read_curve(const std::string& argument) {
   std::string line;
   std::getline(lines, line);
   while (std::getline(lines, line)) {
-    double samples, cpu_s, rmse;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf", &samples, &cpu_s, &rmse) != 3)
-      throw std::runtime_error(argument + ": a line is not samples,cpu_s,rmse,…: " + line);
-    curve.points.push_back({std::log10(samples), std::log10(rmse)});
+    double samples, cpu_s, rmse, rel_mse;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &samples, &cpu_s, &rmse, &rel_mse) != 4)
+      throw std::runtime_error(argument + ": a line is not samples,cpu_s,rmse,rel_mse,…: " + line);
+    curve.points.push_back({std::log10(samples), 0.5 * std::log10(rel_mse)});
   }
   return curve;
 }
@@ -41,8 +41,9 @@ PlotSeries root_law(const PlotSeries& from) {
 
 void plot(int count, char** arguments) {
   if (count < 3) throw std::runtime_error("plot_error_curves OUT.svg NAME=FILE.csv …");
-  Plot diagram{
-      .title = "Error of a street's picture", .x_label = "log10 samples a pixel", .y_label = "log10 RMSE"};
+  Plot diagram{.title = "Error of a street's picture",
+               .x_label = "log10 samples a pixel",
+               .y_label = "log10 relative RMSE"};
   for (int i = 2; i < count; ++i) diagram.series.push_back(read_curve(arguments[i]));
   diagram.series.push_back(root_law(diagram.series.front()));
   write_file(arguments[1], to_svg(std::span(&diagram, 1), 1));
