@@ -16,6 +16,8 @@ int cps_city(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("output,o", po::value<std::string>()->required(), "the .glb to write")(
       "seed", po::value(&city.seed)->default_value(city.seed), "the same seed makes the same file")(
+      "traffic-seed", po::value(&city.traffic_seed)->default_value(city.traffic_seed),
+      "another one: other vehicles and people in the same streets")(
       "style", po::value<std::string>()->default_value(to_string(city.style)), styles.c_str())(
       "extent-m", po::value(&city.extent_m)->default_value(city.extent_m), "side of the area with streets")(
       "tree-density", po::value(&city.tree_density)->default_value(city.tree_density), "0: none … 3")(

@@ -46,6 +46,7 @@ Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
     if (scene.city)
       entry["city"] = {{"style", to_string(scene.city->style)},
                        {"seed", scene.city->seed},
+                       {"traffic_seed", scene.city->traffic_seed},
                        {"traffic", scene.city->traffic}};
     entry["metres_per_unit"] = scene.metres_per_unit;
     entry["credits"] = scene.credits;

@@ -134,11 +134,23 @@ class Verifier {
     summary_.images = static_cast<std::int64_t>(checks.size());
   }
 
+  /// What tells a scene's streets from others': those of a city are the same on all its days.
+  std::string streets_of(const nlohmann::json& condition) const {
+    const std::string file = condition.value("scene", "");
+    for (const auto& scene : description_.value("scenes", nlohmann::json::array()))
+      if (scene.value("file", "") == file && scene.contains("city"))
+        return "city " + scene["city"].value("style", "") + " " +
+               scene["city"].value("seed", nlohmann::json(0)).dump();
+    return file;
+  }
+
   /// No street of a scene in two parts.
   void check_streets() {
     const auto recipe = description_.value("recipe", nlohmann::json::object());
     if (recipe.value("split", "route") == "thesis") return;
     const auto conditions = description_.value("conditions", nlohmann::json::array());
+    std::vector<std::string> streets;  // by condition
+    for (const auto& condition : conditions) streets.push_back(streets_of(condition));
     std::map<std::pair<std::string, std::string>, std::string> part_of_street;
     for (const auto& [file, frame] : frames_) {
       const std::size_t condition = std::strtoul(frame.condition.c_str(), nullptr, 10);
@@ -146,8 +158,7 @@ class Verifier {
         fault(file, "condition " + frame.condition + " is not in dataset.json");
         continue;
       }
-      const auto [known, is_new] =
-          part_of_street.try_emplace({conditions[condition].value("scene", ""), frame.street}, frame.part);
+      const auto [known, is_new] = part_of_street.try_emplace({streets[condition], frame.street}, frame.part);
       if (!is_new && known->second != frame.part)
         fault(file, "street " + frame.street + " occurs in " + known->second + " and " + frame.part);
     }

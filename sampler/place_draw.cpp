@@ -122,7 +122,7 @@ std::string PlaceTally::brief() const {
 }
 
 DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, const Recipe& recipe,
-                      Stream stream) {
+                      const LaneStratum& stratum, Stream stream) {
   std::vector<int> lanes;
   double total_length_m = 0;
   for (std::size_t r = 0; r < scene.routes.size(); ++r) {
@@ -135,7 +135,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
   PlaceTally tally;
   for (int attempt = 0; attempt < max_attempts && total_length_m > 0; ++attempt) {
     const Stream draw = substream(stream, attempt);
-    double distance_m = random_uniform(draw, along, 0, total_length_m);
+    double distance_m = total_length_m * stratified(stratum, attempt, random_uniform(draw, along));
     std::size_t chosen = 0;
     while (chosen + 1 < lanes.size() && distance_m > scene.usable[lanes[chosen]].length_m())
       distance_m -= scene.usable[lanes[chosen++]].length_m();

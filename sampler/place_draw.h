@@ -8,6 +8,7 @@
 #include "random/counter_hash.h"
 #include "sampler/lane_traffic.h"
 #include "sampler/part.h"
+#include "sampler/place_strata.h"
 #include "sampler/recipe.h"
 #include "scenes/clearance.h"
 #include "scenes/rig.h"
@@ -54,10 +55,11 @@ struct DrawnPlace {
   PlaceTally tally;                ///< of this place and those that were rejected before it
 };
 
-/// A place on a route of `part`, uniform along the lanes, with the recipe's deviations, the car on its
-/// wheels, clear of the traffic on the lanes (what is not, is passed over and not counted), where no camera
-/// of the rig has a fault. Throws std::runtime_error when 200 attempts find none.
+/// A place on a route of `part`, uniform along the lanes within its stratum of them, with the recipe's
+/// deviations, the car on its wheels, clear of the traffic on the lanes (what is not, is passed over and not
+/// counted), where no camera of the rig has a fault. If the stratum has none, its surroundings are tried too.
+/// Throws std::runtime_error when 200 attempts find none.
 DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, const Recipe& recipe,
-                      Stream stream);
+                      const LaneStratum& stratum, Stream stream);
 
 }  // namespace cps

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "sampler/lens_groups.h"
 #include "sampler/splits.h"
@@ -11,10 +12,11 @@
 namespace cps {
 namespace {
 
-std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, int scenes) {
+/// A city is planned as one scene a condition, a file as one scene for all.
+std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, const std::vector<PlannedScene>& scenes) {
   std::vector<PlannedCondition> conditions;
-  for (int scene = 0; scene < scenes; ++scene)
-    for (int i = 0; i < recipe.conditions_per_scene; ++i) {
+  for (int scene = 0; scene < static_cast<int>(scenes.size()); ++scene)
+    for (int i = 0; i < (scenes[scene].city ? 1 : recipe.conditions_per_scene); ++i) {
       const Stream stream = substream(make_stream(recipe.seed, "condition"), conditions.size());
       conditions.push_back({.scene = scene, .light = draw_light(recipe.light, stream)});
     }
@@ -72,9 +74,29 @@ void plan_views_of_set(Plan& plan, int set) {
   }
 }
 
+/// By view: the places of a set in the same streets, on whatever day, share these out.
+std::vector<LaneStratum> strata_of_views(const Plan& plan) {
+  const bool shares_streets = plan.recipe.split == "thesis";
+  std::map<std::uint64_t, std::vector<std::size_t>> views_of;  // by what shares its lanes
+  for (std::size_t v = 0; v < plan.views.size(); ++v) {
+    const PlannedView& view = plan.views[v];
+    if (view.rig_camera != 0) continue;
+    const Stream streets = streets_stream(plan.recipe, plan.scenes, plan.conditions[view.condition].scene);
+    const Part part = shares_streets ? Part::all : view.part;
+    views_of[substream(make_stream(streets.key, to_string(part)), view.set).key].push_back(v);
+  }
+  std::vector<LaneStratum> strata(plan.views.size());
+  for (const auto& [key, views] : views_of) {
+    const auto dealt = deal_strata(static_cast<std::int64_t>(views.size()), make_stream(key, "strata"));
+    for (std::size_t i = 0; i < views.size(); ++i) strata[views[i]] = dealt[i];
+  }
+  return strata;
+}
+
 /// Draws the places of all views, one scene in memory at a time. `plan.views` is sorted by condition, and the
 /// conditions of a scene stand together.
 void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesystem::path&)>& load) {
+  const std::vector<LaneStratum> strata = strata_of_views(plan);
   std::size_t v = 0;
   while (v < plan.views.size()) {
     const int s = plan.conditions[plan.views[v].condition].scene;
@@ -82,12 +104,13 @@ void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesyst
     plan.scenes[s].metres_per_unit = driven.metres_per_unit;
     plan.scenes[s].credits = driven.scene.credits;
     const DrivableScene scene = drivable_scene(driven.scene, plan.scenes[s].file.string(), plan.recipe,
-                                               substream(make_stream(plan.recipe.seed, "streets"), s));
+                                               streets_stream(plan.recipe, plan.scenes, s));
     DrawnPlace drawn;
     for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
       PlannedView& view = plan.views[v];
       if (view.rig_camera == 0) {
-        drawn = draw_place(scene, plan.rig, view.part, plan.recipe, make_stream(view.seed, "place"));
+        drawn =
+            draw_place(scene, plan.rig, view.part, plan.recipe, strata[v], make_stream(view.seed, "place"));
         plan.places.add(drawn.tally);
       }
       view.street = drawn.street;
@@ -115,7 +138,7 @@ Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> s
   plan.recipe = recipe;
   plan.rig = rig;
   plan.scenes = std::move(scenes);
-  plan.conditions = plan_conditions(recipe, static_cast<int>(plan.scenes.size()));
+  plan.conditions = plan_conditions(recipe, plan.scenes);
   plan.sets = plan_sets(recipe);
   for (int set = 0; set < static_cast<int>(plan.sets.size()); ++set) plan_views_of_set(plan, set);
   std::stable_sort(plan.views.begin(), plan.views.end(),

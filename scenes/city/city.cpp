@@ -242,9 +242,11 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   summary.lanes = lanes.size();
   summary.triangles = writer.stored_triangles();
   summary.instanced_triangles = writer.instanced_triangles();
-  summary.bytes =
-      writer.write(file, {{"cps_city", {{"style", to_string(options.style)}, {"seed", options.seed}}},
-                          {"cps_lanes", lanes_as_json(network, lanes, traffic, terrain)}});
+  summary.bytes = writer.write(file, {{"cps_city",
+                                       {{"style", to_string(options.style)},
+                                        {"seed", options.seed},
+                                        {"traffic_seed", options.traffic_seed}}},
+                                      {"cps_lanes", lanes_as_json(network, lanes, traffic, terrain)}});
   return summary;
 }
 

@@ -10,7 +10,8 @@ namespace cps {
 
 /// What a procedural city is made from: the same options give the same file, byte for byte.
 struct CityOptions {
-  std::uint64_t seed = 0;  ///< 0 is a seed like any other
+  std::uint64_t seed = 0;          ///< of streets and houses; 0 is a seed like any other
+  std::uint64_t traffic_seed = 0;  ///< of what moves: traffic, parked cars, people. Lanes do not know of it
   CityStyle style = CityStyle::european;
   double extent_m = 400;    ///< side length of the area with streets, metres
   double tree_density = 1;  ///< times the seed's own density; 0: no trees

@@ -4,8 +4,14 @@
 #include <vector>
 
 #include "random/counter_hash.h"
+#include "scenes/city/city.h"
 
 namespace cps::city {
+
+/// What of the city is elsewhere on another day draws from this: `name` of its seed and its traffic's.
+inline Stream moving_stream(const CityOptions& options, std::string_view name) {
+  return substream(make_stream(options.seed, name), options.traffic_seed);
+}
 
 /// What one thing of the city (a street, a building, a tree) draws, in order, from a stream of its own: more
 /// draws here never shift another thing's.

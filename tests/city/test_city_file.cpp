@@ -145,7 +145,8 @@ TEST_CASE("every style's file is a function of its options and names its style",
     write_city(options, folder.path / "again.glb");
     const std::string bytes = bytes_of(folder.path / "first.glb");
     CHECK((bytes == bytes_of(folder.path / "again.glb")));
-    CHECK(bytes.find("\"cps_city\":{\"style\":\"" + name + "\",\"seed\":2}") != std::string::npos);
+    CHECK(bytes.find("\"cps_city\":{\"style\":\"" + name + "\",\"seed\":2,\"traffic_seed\":0}") !=
+          std::string::npos);
     CHECK(summary.brief().find(name + ": ") == 0);
     different.insert(bytes);
   }

@@ -58,13 +58,14 @@ TEST_CASE("wires hang between masts on the pavements, above everything that driv
 TEST_CASE("arms that face each other show the same light, those across the other") {
   int pairs = 0, lights = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const StreetNetwork network = draw_street_network({.seed = seed, .style = CityStyle::downtown});
+    const CityOptions options{.seed = seed, .style = CityStyle::downtown};
+    const StreetNetwork network = draw_street_network(options);
     for (const Junction& junction : network.junctions)
       for (const Side& a : junction.arms)
         for (const Side& b : junction.arms) {
           if (a == b || !network.is_road(a) || !network.is_road(b)) continue;
-          const Signal own = signal_at(network, a.segment, a.reversed, seed),
-                       other = signal_at(network, b.segment, b.reversed, seed);
+          const Signal own = signal_at(network, a.segment, a.reversed, options),
+                       other = signal_at(network, b.segment, b.reversed, options);
           lights += own != Signal::none;
           if (own == Signal::none || other == Signal::none) continue;
           const auto direction = [&](const Side& arm) {

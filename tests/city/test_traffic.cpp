@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -112,6 +113,48 @@ TEST_CASE("traffic stands clear of everything along the streets") {
               overlap(placed.footprint(), vehicle.footprint(), 0.02))
             FAIL_CHECK(vehicle.model->name << " in " << placed.model->name);
     }
+  }
+}
+
+TEST_CASE("another day has other traffic, parked cars and people, and everything else as it was") {
+  for (const CityStyle style : {CityStyle::european, CityStyle::suburb, CityStyle::industrial}) {
+    INFO(to_string(style));
+    const City monday{{.seed = 4, .style = style}}, tuesday{{.seed = 4, .traffic_seed = 1, .style = style}};
+    REQUIRE(monday.lanes.size() == tuesday.lanes.size());
+    std::size_t same = 0, either = 0;
+    for (std::size_t i = 0; i < monday.lanes.size(); ++i) {
+      CHECK(monday.lanes[i].points == tuesday.lanes[i].points);
+      const auto &a = monday.traffic.occupied[i], &b = tuesday.traffic.occupied[i];
+      for (const OccupiedStretch& x : a)
+        same += std::any_of(b.begin(), b.end(), [&](const OccupiedStretch& y) {
+          return std::abs(x.from_m - y.from_m) < 0.05 && std::abs(x.to_m - y.to_m) < 0.05;
+        });
+      either += a.size() + b.size();
+    }
+    CHECK(either > 100);
+    CHECK(same < either / 50);
+    using Standing = std::vector<std::pair<std::string, Vec2>>;
+    const auto standing = [&](const City& city, bool moving) {
+      Standing all;
+      const Districts districts = draw_districts(city.options);
+      for (int b = 0; b < static_cast<int>(city.network.blocks.size()); ++b) {
+        const CityCharacter& character = districts.character_at(block_middle(city.network, b));
+        const BlockPlan plan = plan_block(city.network, b, character, city.options.seed);
+        for (const PlacedModel& p : furnish(city.network, b, plan, library(), character, city.options)) {
+          const bool moves = (p.model->kind == ModelKind::car && p.model->name != "lorry") ||
+                             p.model->kind == ModelKind::person;
+          if (moves == moving && p.model->name.find("traffic light") != 0)
+            all.emplace_back(p.model->name, p.position);
+        }
+      }
+      return all;
+    };
+    CHECK(standing(monday, false) == standing(tuesday, false));
+    const Standing a = standing(monday, true), b = standing(tuesday, true);
+    CHECK(a.size() > 50);
+    std::size_t stayed = 0;
+    for (const auto& car : a) stayed += std::count(b.begin(), b.end(), car);
+    CHECK(stayed < a.size() / 10);
   }
 }
 

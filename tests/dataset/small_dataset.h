@@ -50,7 +50,7 @@ inline void write_small_dataset(const std::filesystem::path& root, const Plan& p
     }
     records[record.view] = record;
   }
-  finish_dataset(root, plan, records, {"0123"});
+  finish_dataset(root, plan, records, std::vector<std::string>(plan.scenes.size(), "0123"));
 }
 
 }  // namespace cps

@@ -97,6 +97,27 @@ TEST_CASE("verify names what is wrong with the files") {
              Catch::Contains("frames.csv says test") && Catch::Contains("occurs in"));
 }
 
+TEST_CASE("verify knows the days of one city by its seed") {
+  Recipe recipe;
+  recipe.city_seeds = {1, 2};
+  recipe.sizes = {{64, 36}};
+  recipe.base_hfov_deg = {60};
+  recipe.views = 60;
+  const Plan plan = make_plan(recipe, Rig{}, plan_scenes(recipe, "cities"), [](const std::filesystem::path&) {
+    return DrivenScene{.scene = plain_scene(6)};
+  });
+  const TemporaryFolder folder;
+  write_small_dataset(folder.path, plan);
+  CHECK(verify_dataset(folder.path).faults == std::vector<std::string>{});
+  // Two cities deal their streets differently; as one city's days they must not.
+  nlohmann::json description = read_json(folder.path / "dataset.json");
+  description["scenes"][1]["city"]["seed"] = 1;
+  write_file(folder.path / "dataset.json", description.dump());
+  const std::vector<std::string> faults = verify_dataset(folder.path).faults;
+  REQUIRE_FALSE(faults.empty());
+  for (const std::string& fault : faults) CHECK_THAT(fault, Catch::Contains("occurs in"));
+}
+
 TEST_CASE("verify finds a label that was tampered with, however slightly") {
   const auto lens_group = [](const Plan& plan) {
     int g = 0;

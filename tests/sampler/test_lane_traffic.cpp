@@ -54,7 +54,7 @@ TEST_CASE("no drawn place lies in traffic, and what is passed over is no rejecti
   constexpr int places = 2000;
   for (int i = 0; i < places; ++i) {
     const DrawnPlace drawn =
-        draw_place(drivable, Rig{}, Part::all, recipe, substream(make_stream(3, "place"), i));
+        draw_place(drivable, Rig{}, Part::all, recipe, {}, substream(make_stream(3, "place"), i));
     tally.add(drawn.tally);
     const bool eastwards = std::cos(drawn.place.heading_rad) > 0;
     ++by_lane[eastwards];

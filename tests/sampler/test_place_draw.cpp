@@ -31,7 +31,7 @@ TEST_CASE("places lie as thick in a junction as before and behind it") {
   constexpr int places = 4000;
   int in_junction = 0, near_it = 0;
   for (int i = 0; i < places; ++i) {
-    const double x = draw_place(scene, Rig{}, Part::train, recipe, substream(make_stream(3, "place"), i))
+    const double x = draw_place(scene, Rig{}, Part::train, recipe, {}, substream(make_stream(3, "place"), i))
                          .place.position.x();
     CHECK(x >= -57);  // 3 m from where the street begins and ends
     CHECK(x <= 62);

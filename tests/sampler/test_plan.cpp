@@ -69,6 +69,28 @@ TEST_CASE("no lens and no street crosses the parts, and each set's parts have th
   }
 }
 
+TEST_CASE("on all days of a city its streets belong to the same parts") {
+  Recipe recipe = small_recipe();
+  recipe.scenes = {"plain.glb"};
+  recipe.city_seeds = {3, 4, 3};
+  recipe.conditions_per_scene = 3;
+  recipe.views = 120;
+  recipe.lenses = 0;
+  const Plan plan = plan_of(recipe);
+  CHECK(plan.conditions.size() == 12);
+  std::map<std::pair<std::uint64_t, std::string>, std::pair<Part, std::set<int>>> seen;
+  for (const PlannedView& view : plan.views) {
+    const int scene = plan.conditions[view.condition].scene;
+    const std::uint64_t city = plan.scenes[scene].city ? plan.scenes[scene].city->seed : 0;
+    auto& [part, scenes] = seen.try_emplace({city, view.street}, view.part, std::set<int>{}).first->second;
+    CHECK(part == view.part);
+    scenes.insert(scene);
+  }
+  bool on_many_days = false;
+  for (const auto& [street, what] : seen) on_many_days |= what.second.size() >= 6;
+  CHECK(on_many_days);
+}
+
 TEST_CASE("lens numbers are unique and lens blocks hold no more views than they may") {
   const Plan plan = plan_of(small_recipe());
   std::set<std::string> folders;

@@ -16,20 +16,20 @@ Vec2 direction_of(const StreetNetwork& network, const Side& arm) {
 
 }  // namespace
 
-Signal signal_at(const StreetNetwork& network, int segment, bool at_end, std::uint64_t seed) {
+Signal signal_at(const StreetNetwork& network, int segment, bool at_end, const CityOptions& options) {
   const Segment& s = network.segments[segment];
   const bool quiet = network.streets[s.street].profile.kind == "residential";
-  if (quiet || !approach(network, segment, at_end, seed).crossing) return Signal::none;
+  if (quiet || !approach(network, segment, at_end, options.seed).crossing) return Signal::none;
   const int junction = at_end ? s.to : s.from;
   if (network.junctions[junction].roundabout) return Signal::none;
-  Draws draws{substream(make_stream(seed, "signals"), junction)};
-  if (!draws.chance(0.6)) return Signal::none;
+  if (!Draws{substream(make_stream(options.seed, "signals"), junction)}.chance(0.6)) return Signal::none;
+  Draws phase{substream(moving_stream(options, "signals' phases"), junction)};
   const std::vector<Side>& arms = network.junctions[junction].arms;
   const auto first =
       std::find_if(arms.begin(), arms.end(), [&](const Side& a) { return network.is_road(a); });
   const double across =
       std::abs(cross(direction_of(network, *first), direction_of(network, Side{segment, at_end})));
-  return (across < 0.7) == draws.chance(0.5) ? Signal::green : Signal::red;
+  return (across < 0.7) == phase.chance(0.5) ? Signal::green : Signal::red;
 }
 
 }  // namespace cps::city

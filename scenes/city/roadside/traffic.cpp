@@ -93,7 +93,7 @@ Traffic draw_traffic(const StreetNetwork& network, const std::vector<DrivingLane
                      const Districts& districts, const ModelLibrary& models, const CityOptions& options) {
   Traffic traffic;
   traffic.occupied.resize(lanes.size());
-  const Stream stream = make_stream(options.seed, "traffic");
+  const Stream stream = moving_stream(options, "traffic");
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     const DrivingLane& lane = lanes[i];
     if (lane.segment < 0) continue;
@@ -110,7 +110,7 @@ Traffic draw_traffic(const StreetNetwork& network, const std::vector<DrivingLane
                                      : 1.0;  // before the end
     LaneFiller filler(lane, from, length(lane.points) - to);
     double gap = draws.uniform(before_stop_line_min_m, before_stop_line_max_m);
-    const Signal signal = signal_at(network, lane.segment, !lane.backward, options.seed);
+    const Signal signal = signal_at(network, lane.segment, !lane.backward, options);
     const double waits = signal == Signal::red ? 0.8 : signal == Signal::green ? 0.0 : dense.queue_share;
     if (end.stop_line && draws.chance(waits)) {
       for (int left = draws.integer(1, signal == Signal::red ? 5 : 2); left > 0; --left) {
