@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -157,6 +158,28 @@ TEST_CASE("leaf cards turn their front to where their normal points") {
     agreeing += (p(1) - p(0)).cross(p(2) - p(0)).dot(leaves.normals[leaves.indices[3 * t]]) > 0;
   }
   CHECK(agreeing == count);
+}
+
+TEST_CASE("light varies over a leaf card: its corners' normals differ, and it is folded") {
+  const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
+  const Surface& leaves = grown.surfaces.at(1);
+  double spread_deg = 0, fold_deg = 0;
+  const std::size_t cards = leaves.positions.size() / 4;
+  REQUIRE(leaves.indices.size() == 6 * cards);
+  for (std::size_t card = 0; card < cards; ++card) {
+    const auto angle_deg = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+      return std::acos(std::clamp(a.dot(b), -1.0f, 1.0f)) * 180 / 3.14159265;
+    };
+    spread_deg += angle_deg(leaves.normals[4 * card], leaves.normals[4 * card + 2]) / cards;
+    const auto face = [&](std::size_t first) {
+      const auto p = [&](int k) { return leaves.positions[leaves.indices[first + k]]; };
+      return Eigen::Vector3f((p(1) - p(0)).cross(p(2) - p(0)).normalized());
+    };
+    fold_deg += angle_deg(face(6 * card), face(6 * card + 3)) / cards;
+  }
+  CHECK(spread_deg > 15);
+  CHECK(fold_deg > 20);
+  CHECK(fold_deg < 35);
 }
 
 TEST_CASE("houses have storeys of real height and no face inside out") {

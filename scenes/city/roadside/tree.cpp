@@ -12,21 +12,34 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A square card standing on `foot`, its image's upper edge towards `up`; lit as if it faced `outwards`.
+/// How leaves on a card are lit: as the surface of a clump around `clump` on a crown that faces `outwards`.
+struct Leafage {
+  Vec3 clump, outwards;
+};
+
+/// A square card standing on `foot`, its image's upper edge towards `up`, folded a little along a diagonal.
+/// Its corners' normals spread over the clump that it is part of, so that light varies across it.
 void add_card(Surface& surface, const Vec3& foot, const Vec3& up, const Vec3& facing, double size,
-              const Vec3& outwards) {
+              const Leafage& leafage) {
+  constexpr double fold = 0.16, roundness = 0.85;
   const Vec3 side = up.cross(facing).normalized() * (size / 2);
   Vec3 normal = side.cross(up).normalized();
-  if (normal.dot(outwards) < 0) normal = -normal;
+  if (normal.dot(leafage.outwards) < 0) normal = -normal;
   const bool turned = normal.dot(side.cross(up)) < 0;
-  const Eigen::Vector3f bent = (normal * 0.45 + outwards).normalized().cast<float>();
   const auto first = static_cast<std::uint32_t>(surface.positions.size());
-  const std::array<Vec3, 4> corners{foot - side, foot + side, foot + side + up * size,
-                                    foot - side + up * size};
+  const Vec3 back = normal * (fold * size);
+  const std::array<Vec3, 4> corners{foot - side, foot + side - back, foot + side + up * size,
+                                    foot - side + up * size - back};
   constexpr float u[4] = {0, 1, 1, 0}, v[4] = {1, 1, 0, 0};
   for (int i = 0; i < 4; ++i) {
+    const Vec3 from_clump = corners[i] - leafage.clump;
+    Vec3 bent =
+        leafage.outwards + 0.3 * normal + from_clump * (roundness / std::max(size, from_clump.norm()));
+    // On the side of both halves' fronts: the fold turns them by 13°.
+    const double across = bent.dot(normal), along = (bent - normal * across).norm();
+    bent += normal * std::max(0.0, 0.4 * along - across);
     surface.positions.push_back(corners[i].cast<float>());
-    surface.normals.push_back(bent);
+    surface.normals.push_back(bent.normalized().cast<float>());
     surface.uvs.emplace_back(u[i], v[i]);
   }
   if (turned)
@@ -97,7 +110,7 @@ void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, Materi
     const Vec3 strives = outwards * (0.8 * (1 - s.droop)) - Vec3(0, 1.4 * s.droop, 0);
     const Vec3 up = (strives + random_direction(draws)).normalized();
     const Vec3 facing = (outwards + random_direction(draws) * 0.9).normalized();
-    add_card(surface, at, up, facing, draws.uniform(0.5, 0.85) * fine, outwards);
+    add_card(surface, at, up, facing, draws.uniform(0.42, 0.7) * fine, {twig, outwards});
   }
 }
 
@@ -120,7 +133,7 @@ void add_whorled_crown(Mesh& mesh, const TreeSpecies& s, MaterialId needles, Mat
         const Vec3 up = ((tip - root).normalized() + random_direction(draws) * 0.35).normalized();
         const Vec3 facing = (Vec3(0, 1, 0) + random_direction(draws) * 0.7).normalized();
         add_card(mesh.surfaces[needles], at, up, facing, draws.uniform(0.6, 0.9),
-                 (out + Vec3(0, 0.7, 0)).normalized());
+                 {at - Vec3(0, 0.2, 0), (out + Vec3(0, 0.7, 0)).normalized()});
       }
     }
   }
@@ -173,7 +186,7 @@ Mesh hedge(const Materials& m, double length_m, double height_m, Stream stream) 
   const auto add_leaves = [&](const Vec3& at, const Vec3& outwards) {
     const Vec3 up = (random_direction(draws) * 0.8 + Vec3(0, 0.5, 0) + outwards * 0.25).normalized();
     const Vec3 facing = (outwards + random_direction(draws) * 0.6).normalized();
-    add_card(surface, at - up * 0.12, up, facing, draws.uniform(0.24, 0.36), outwards);
+    add_card(surface, at - up * 0.12, up, facing, draws.uniform(0.24, 0.36), {at - outwards * 0.2, outwards});
   };
   for (int i = 0; i < 115 * length_m; ++i) {
     const double x = draws.uniform(-0.5, 0.5) * length_m, z = draws.uniform(-1, 1) * half_width;
