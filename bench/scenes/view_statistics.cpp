@@ -158,7 +158,10 @@ int main(int count, char** arguments) {
     seen.emplace_back(to_string(style), see(style, std::stoi(arguments[2]), folder));
   Statistics real;
   for (int i = 3; i < count; ++i) {
-    const OIIO::ImageBuf frame(arguments[i]);
+    const OIIO::ImageBuf whole(arguments[i]);
+    const OIIO::ImageSpec& spec = whole.spec();  // KITTI's colour frames end in a black row and column
+    const OIIO::ImageBuf frame = OIIO::ImageBufAlgo::cut(
+        whole, OIIO::ROI(0, spec.width - 1, 0, spec.height - 1, 0, 1, 0, spec.nchannels));
     add_picture(real, OIIO::ImageBufAlgo::resize(frame, "box", 0,
                                                  OIIO::ROI(0, width, 0, height, 0, 1, 0, frame.nchannels())));
   }
