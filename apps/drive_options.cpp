@@ -20,8 +20,8 @@ DriveOptions drive_options_from(const po::variables_map& values, const Recipe& r
   DriveOptions drive{.metres_per_unit = values["metres_per_unit"].as<double>(), .route = {}};
   if (!(drive.metres_per_unit == 0 || (drive.metres_per_unit >= 1e-6 && drive.metres_per_unit <= 1e6)))
     throw po::error("--metres_per_unit: must be 0 or lie in [1e-6, 1e6]");
-  if (values.count("route") == 0) return drive;
-  drive.route = values["route"].as<std::string>();
+  if (values.count("route") > 0) drive.route = values["route"].as<std::string>();
+  if (drive.route.empty()) return drive;
   if (recipe.scenes.size() != 1 || !recipe.city_seeds.empty() || recipe.cities > 0)
     throw po::error("--route: needs a recipe with one scene and no city");
   return drive;

@@ -1,4 +1,5 @@
 #include <boost/program_options/errors.hpp>
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -23,6 +24,7 @@ const std::vector<Verb>& verbs() {
       {"city", "make a city .glb from a seed", cps::cps_city},
       {"render", "render one view of a glTF scene", cps::cps_render},
       {"generate", "make a dataset from a recipe; picks up where it stopped", cps::cps_generate},
+      {"finish", "join the shards of a dataset, or say what is missing", cps::cps_finish},
       {"verify", "check every file of a dataset against its labels", cps::cps_verify},
       {"contact-sheet", "a picture of a dataset: views through their lenses", cps::cps_contact_sheet},
       {"lens", "limits of lenses; check a calibration; draw lenses", cps::cps_lens},
@@ -40,7 +42,7 @@ int usage(std::ostream& out) {
          "more.\n\n";
   for (const Verb& verb : verbs())
     out << "  " << verb.name << std::string(16 - std::string(verb.name).size(), ' ') << verb.summary << "\n";
-  out << "\nExit status: 0 done, 1 failed, 2 wrong usage.\n";
+  out << "\nExit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted: run it again.\n";
   return 0;
 }
 
@@ -70,6 +72,7 @@ int run(Arguments arguments) {
 }  // namespace
 
 int main(int argc, char** argv) try {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
   return run(Arguments(argv + 1, argv + argc));
 } catch (const boost::program_options::error& error) {
   std::cerr << "cps: " << error.what() << "\n";

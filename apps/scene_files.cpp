@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "dataset/file_lock.h"
 #include "dataset/files.h"
-#include "dataset/group_label.h"
 #include "scenes/drive/unit_scale.h"
 #include "scenes/ego_bonnet.h"
 #include "scenes/gltf_import.h"
@@ -12,15 +12,26 @@ namespace cps {
 
 namespace fs = std::filesystem;
 
-void make_scene_files(const std::vector<PlannedScene>& scenes) {
+namespace {
+
+/// Makes the cities that are missing; does not `wait` for those that another process is making.
+void make_missing_cities(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder, bool wait) {
+  for (const PlannedScene& scene : scenes) {
+    if (!scene.city || fs::exists(scene.file)) continue;
+    const FileLock lock(lock_folder / (scene.file.filename().string() + ".lock"), FileLock::Kind::exclusive,
+                        wait);
+    if (!lock.is_held() || fs::exists(scene.file)) continue;
+    write_by_rename(scene.file, [&](const fs::path& temporary) { write_city(*scene.city, temporary); });
+  }
+}
+
+}  // namespace
+
+void make_scene_files(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder) {
   for (const PlannedScene& scene : scenes)
     if (!scene.city && !fs::is_regular_file(scene.file))
       throw std::runtime_error("scene: " + scene.file.string() + ": there is no such file");
-  for (const PlannedScene& scene : scenes) {
-    if (!scene.city || fs::exists(scene.file)) continue;
-    fs::create_directories(scene.file.parent_path());
-    write_city(*scene.city, scene.file);
-  }
+  for (bool wait : {false, true}) make_missing_cities(scenes, lock_folder, wait);
 }
 
 Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
@@ -34,12 +45,6 @@ std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes) {
   std::vector<std::string> hashes;
   for (const PlannedScene& scene : scenes) hashes.push_back(sha256(read_file(scene.file)));
   return hashes;
-}
-
-std::string job_fingerprint(const std::string& wanted, const std::vector<std::string>& scene_sha256) {
-  std::string job = generator_name() + "\n" + wanted;
-  for (const std::string& hash : scene_sha256) job += hash + "\n";
-  return sha256(job);
 }
 
 }  // namespace cps

@@ -11,6 +11,7 @@ find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(pugixml REQUIRED)
+find_library(LIBDEFLATE deflate REQUIRED)
 find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
 
 # Debian's OpenImageIO target names OpenCV's include folder, which exists only with libopencv-dev.

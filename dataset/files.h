@@ -16,8 +16,9 @@ std::string read_file(const std::filesystem::path& file);
 /// The file as JSON. Throws std::runtime_error naming file and position.
 nlohmann::json read_json(const std::filesystem::path& file);
 
-/// Writes to a temporary name beside `file`, then renames; makes the folders above it. Throws
-/// std::runtime_error naming file and cause and leaves nothing behind.
+/// Writes to a temporary name beside `file`, waits until the bytes are on the disk, then renames; makes the
+/// folders above it. Any number of processes may write one file. Throws std::runtime_error naming file and
+/// cause and leaves nothing behind.
 void write_file(const std::filesystem::path& file, std::span<const char> bytes);
 
 /// The same for what can only be written to a named file: `write` gets the temporary name and throws when it
@@ -26,7 +27,7 @@ void write_by_rename(const std::filesystem::path& file,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// Removes what write_file left half-written under temporary names in `folder` (not below it) when it was
-/// killed.
+/// killed. Not while another process may be writing there.
 void remove_temporaries(const std::filesystem::path& folder);
 
 /// Indented JSON with a final newline.

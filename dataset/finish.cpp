@@ -76,6 +76,11 @@ bool is_finished(const std::filesystem::path& root) {
   return std::filesystem::exists(root / "dataset.json");
 }
 
+void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group) {
+  const std::filesystem::path file = root / group.folder / "calibration.json";
+  if (!std::filesystem::exists(file)) write_json(file, to_json(group_label(plan, group)));
+}
+
 void finish_dataset(const std::filesystem::path& root, const Plan& plan,
                     const std::map<std::int64_t, ViewRecord>& records,
                     const std::vector<std::string>& scene_sha256) {
@@ -95,9 +100,13 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     }
   }
   for (std::size_t g = 0; g < plan.groups.size(); ++g) {
+    write_label(root, plan, plan.groups[g]);
     remove_temporaries(root / plan.groups[g].folder);
     write_file(root / plan.groups[g].folder / "frames.csv", frames_csv(frames_of_group[g]));
   }
+
+  for (const char* folder : {"scenes", "splits", ".cps"})
+    if (std::filesystem::is_directory(root / folder)) remove_temporaries(root / folder);
 
   Json splits;
   for (Part part : parts) {

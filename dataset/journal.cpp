@@ -1,11 +1,12 @@
 #include "dataset/journal.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,73 +17,111 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path job_file(const fs::path& dataset) {
-  return dataset / ".cps" / "job.json";
+fs::path journal_file(const fs::path& dataset, const Shard& shard) {
+  return dataset / ".cps" /
+         ("journal_" + std::to_string(shard.index) + "_of_" + std::to_string(shard.count) + ".jsonl");
 }
 
-/// `key = old` → `key = new` of the first line that differs.
-std::string first_difference(const std::string& before, const std::string& now) {
-  std::istringstream before_lines(before), now_lines(now);
-  for (std::string a, b; std::getline(before_lines, a) && std::getline(now_lines, b);)
-    if (a != b) return "\"" + a + "\" became \"" + b + "\"";
-  return "the scenes' files or the program's version changed";
+/// The journals that are there, sorted by name.
+std::vector<std::pair<Shard, fs::path>> journals_in(const fs::path& dataset) {
+  std::vector<std::pair<Shard, fs::path>> journals;
+  if (!fs::is_directory(dataset / ".cps")) return journals;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dataset / ".cps")) {
+    Shard shard;
+    const std::string name = entry.path().filename().string();
+    if (std::sscanf(name.c_str(), "journal_%ld_of_%ld", &shard.index, &shard.count) == 2 &&
+        entry.path() == journal_file(dataset, shard))
+      journals.emplace_back(shard, entry.path());
+  }
+  std::sort(journals.begin(), journals.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  return journals;
+}
+
+/// The length of the whole lines that `text` begins with.
+std::size_t length_of_lines(const std::string& text) {
+  return text.rfind('\n') + 1;  // npos + 1 = 0: no whole line
+}
+
+/// Eight digits that a damaged line does not have.
+std::string check_digits(const nlohmann::ordered_json& line) {
+  return sha256(line.dump()).substr(0, 8);
+}
+
+std::string line_of(const ViewRecord& record) {
+  nlohmann::ordered_json line = to_json(record);
+  line["check"] = check_digits(line);
+  return line.dump() + "\n";
+}
+
+/// Throws when the line is not as it was written.
+ViewRecord record_of(const std::string& text, const fs::path& file) {
+  nlohmann::ordered_json line = nlohmann::ordered_json::parse(text);
+  const std::string check = line.value("check", "");
+  line.erase("check");
+  if (check != check_digits(line)) throw std::runtime_error(file.string() + ": a line is damaged");
+  return view_record_from_json(line, file.string());
+}
+
+void read_journal(const fs::path& file, JournalLines& lines) {
+  const std::string text = read_file(file);
+  std::istringstream whole_lines(text.substr(0, length_of_lines(text)));
+  for (std::string line; std::getline(whole_lines, line);) try {
+      ViewRecord record = record_of(line, file);
+      lines.views[record.view] = std::move(record);
+    } catch (const std::exception&) {
+      ++lines.unreadable;
+    }
 }
 
 }  // namespace
 
-void require_same_job(const fs::path& dataset, const Job& job) {
-  if (!fs::exists(job_file(dataset))) return;
-  const nlohmann::json known = read_json(job_file(dataset));
-  if (known.value("fingerprint", "") != job.fingerprint)
-    throw std::runtime_error(dataset.string() + ": was begun by another job (" +
-                             first_difference(known.value("recipe", ""), job.recipe_text) +
-                             "); use the same recipe or another folder");
+JournalLines read_journals(const fs::path& dataset) {
+  JournalLines lines;
+  for (const auto& [shard, file] : journals_in(dataset)) read_journal(file, lines);
+  return lines;
 }
 
-Journal::Journal(const fs::path& dataset, const Job& job) : file_(dataset / ".cps" / "journal.jsonl") {
-  require_same_job(dataset, job);
-  if (!fs::exists(job_file(dataset)))
-    write_json(job_file(dataset), {{"fingerprint", job.fingerprint}, {"recipe", job.recipe_text}});
-  if (fs::exists(file_)) read_lines(dataset);
-  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0)
-    throw std::runtime_error(file_.string() + ": cannot be opened: " + std::strerror(errno));
+std::vector<std::int64_t> journalled_shard_counts(const fs::path& dataset) {
+  std::set<std::int64_t> counts;
+  for (const auto& [shard, file] : journals_in(dataset)) counts.insert(shard.count);
+  return {counts.begin(), counts.end()};
 }
 
-Journal::~Journal() {
-  if (descriptor_ >= 0) close(descriptor_);
+fs::path folder_lock(const fs::path& dataset) {
+  return dataset / ".cps" / "lock";
 }
 
-void Journal::read_lines(const fs::path& dataset) {
+bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
+  return std::all_of(record.images.begin(), record.images.end(), [&](const ImageRecord& image) {
+    std::error_code missing;
+    const std::uintmax_t bytes = fs::file_size(dataset / image.file, missing);
+    return !missing && bytes == image.bytes;
+  });
+}
+
+Journal::Journal(const fs::path& dataset, const Shard& shard)
+    : file_(journal_file(dataset, shard)), lock_(file_, FileLock::Kind::exclusive) {
+  if (!lock_.is_held())
+    throw std::runtime_error(dataset.string() + ": shard " + to_string(shard) +
+                             " is being made by another process; wait for it or choose another shard");
   const std::string text = read_file(file_);
-  const std::size_t complete = text.rfind('\n') + 1;  // npos + 1 = 0: no complete line
-  if (complete < text.size()) {
-    fs::resize_file(file_, complete);
-    ++dropped_lines_;
-  }
-  std::istringstream lines(text.substr(0, complete));
-  for (std::string line; std::getline(lines, line);) {
-    ViewRecord record;
-    try {
-      record = view_record_from_json(nlohmann::json::parse(line), file_.string());
-    } catch (const std::exception&) {
-      ++dropped_lines_;
-      continue;
-    }
-    const bool is_complete =
-        std::all_of(record.images.begin(), record.images.end(),
-                    [&](const ImageRecord& image) { return fs::exists(dataset / image.file); });
-    if (is_complete) finished_[record.view] = std::move(record);
-  }
+  if (ftruncate(lock_.descriptor(), static_cast<off_t>(length_of_lines(text))) != 0)
+    throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 void Journal::append(const ViewRecord& record) {
-  const std::string line = to_json(record).dump() + "\n";
-  // One write, so that a kill leaves either the whole line or a last line without its newline.
-  const ssize_t written = write(descriptor_, line.data(), line.size());
-  if (written != static_cast<ssize_t>(line.size()))
-    throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));
-  finished_[record.view] = record;
+  const std::string line = line_of(record);
+  const off_t before = lseek(lock_.descriptor(), 0, SEEK_END);
+  // One write, so that a kill leaves either the whole line or a last line without its end.
+  errno = 0;
+  const ssize_t written = write(lock_.descriptor(), line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size()) && fdatasync(lock_.descriptor()) == 0) return;
+  const std::string cause = errno ? std::strerror(errno) : "the disk is full";
+  if (before < 0 || ftruncate(lock_.descriptor(), before) != 0) {
+    // The next process to open the journal removes the cut line.
+  }
+  throw std::runtime_error(file_.string() + ": cannot be written: " + cause);
 }
 
 }  // namespace cps

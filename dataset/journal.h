@@ -2,48 +2,49 @@
 
 #include <filesystem>
 #include <map>
-#include <string>
+#include <vector>
 
+#include "dataset/file_lock.h"
 #include "dataset/records.h"
+#include "sampler/shard.h"
 
+/// Append-only records of finished views, one JSON line each, in `<dataset>/.cps/`: a file per shard, so that
+/// no two processes write to one. What counts as made is what stands in any of them.
 namespace cps {
 
-/// A generation job as its folder knows it.
-struct Job {
-  std::string fingerprint;  ///< of recipe, scenes and program version
-  std::string recipe_text;
+struct JournalLines {
+  std::map<std::int64_t, ViewRecord> views;  ///< by index
+  int unreadable = 0;                        ///< lines that are damaged: their views will be made again
 };
 
-/// Throws std::runtime_error when `dataset` holds another job, naming the first recipe line that differs.
-void require_same_job(const std::filesystem::path& dataset, const Job& job);
+/// Every journal of a folder. A last line without its end, which a kill leaves or another process is just
+/// writing, counts as not there.
+JournalLines read_journals(const std::filesystem::path& dataset);
 
-/// The append-only record of finished views, one JSON line each, so that a killed job loses at most the views
-/// in flight.
+/// The numbers of shards that a folder has journals of, each once, ascending.
+std::vector<std::int64_t> journalled_shard_counts(const std::filesystem::path& dataset);
+
+/// Held shared by who makes images in a folder, and alone by who finishes it.
+std::filesystem::path folder_lock(const std::filesystem::path& dataset);
+
+/// Whether all images of a view are there, each as long as when it was written. Their bytes are not read: a
+/// crash may cut a file short, and verify finds what else can happen to one.
+bool has_its_images(const std::filesystem::path& dataset, const ViewRecord& record);
+
+/// One shard's journal, held by one process.
 class Journal {
  public:
-  /// Opens or starts the journal in `<dataset>/.cps/`. A last line cut short by a kill is dropped; lines that
-  /// cannot be read are dropped and counted: their views are made again. Throws as require_same_job does, or
-  /// when it cannot be opened.
-  Journal(const std::filesystem::path& dataset, const Job& job);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
+  /// Opens or starts the journal; a last line cut short by a kill is removed. Throws std::runtime_error when
+  /// another process holds it or it cannot be written.
+  Journal(const std::filesystem::path& dataset, const Shard& shard);
 
-  /// Finished views by index whose files are all still there.
-  const std::map<std::int64_t, ViewRecord>& finished() const { return finished_; }
-
-  /// Adds a view; on disk when it returns. Throws std::runtime_error when it cannot be written.
+  /// Adds a view; on disk when it returns. Throws std::runtime_error when it cannot be written, and leaves
+  /// no part of a line.
   void append(const ViewRecord& record);
 
-  int dropped_lines() const { return dropped_lines_; }
-
  private:
-  void read_lines(const std::filesystem::path& dataset);
-
   std::filesystem::path file_;
-  int descriptor_ = -1;
-  int dropped_lines_ = 0;
-  std::map<std::int64_t, ViewRecord> finished_;
+  FileLock lock_;
 };
 
 }  // namespace cps

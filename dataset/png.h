@@ -6,11 +6,8 @@
 
 namespace cps {
 
-/// An 8-bit image as the bytes of a PNG file (fast deflate, UP filter). The same pixels give the same bytes.
+/// An 8-bit image of one or three sRGB channels as the bytes of a PNG file (SUB filter, fast deflate). The
+/// same pixels give the same bytes. Throws std::runtime_error for other images.
 std::string encode_png(const OIIO::ImageBuf& image);
-
-/// SHA-256 of an 8-bit image's pixels, rows from the top, channels interleaved: what stays the same when only
-/// the file's encoding changes.
-std::string pixels_sha256(const OIIO::ImageBuf& image);
 
 }  // namespace cps

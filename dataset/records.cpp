@@ -11,6 +11,7 @@ nlohmann::ordered_json to_json(const ViewRecord& record) {
                       {"exposure_bias_ev", image.sensor.exposure_bias_ev},
                       {"full_well_e", image.sensor.full_well_e},
                       {"read_noise_e", image.sensor.read_noise_e},
+                      {"bytes", image.bytes},
                       {"sha256", image.sha256},
                       {"pixels_sha256", image.pixels_sha256}});
   return {{"view", record.view}, {"exposure", record.exposure}, {"images", images}};
@@ -28,6 +29,7 @@ ViewRecord view_record_from_json(const nlohmann::json& json, const std::string& 
                              .sensor = {.exposure_bias_ev = image.number("exposure_bias_ev"),
                                         .full_well_e = image.number("full_well_e"),
                                         .read_noise_e = image.number("read_noise_e")},
+                             .bytes = image.unsigned_integer("bytes"),
                              .sha256 = image.text("sha256"),
                              .pixels_sha256 = image.text("pixels_sha256")});
   }

@@ -14,6 +14,7 @@ namespace cps {
 struct ImageRecord {
   std::string file;  ///< relative to the dataset
   SensorSettings sensor;
+  std::uint64_t bytes = 0;    ///< of the file
   std::string sha256;         ///< of the file
   std::string pixels_sha256;  ///< of the decoded pixels, rows from the top
 };

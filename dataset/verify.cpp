@@ -12,7 +12,7 @@
 
 #include "dataset/files.h"
 #include "dataset/frames.h"
-#include "dataset/png.h"
+#include "dataset/image_file.h"
 #include "dataset/reader.h"
 #include "dataset/verify_label.h"
 
@@ -29,13 +29,16 @@ struct ImageCheck {
 ImageCheck check_image(const fs::path& file, const Label& label, const std::string& expected_sha256) try {
   const std::string bytes = read_file(file);
   if (sha256(bytes) != expected_sha256) return {"its bytes do not match sha256 in frames.csv", ""};
-  OIIO::ImageBuf image(file.string());
-  if (!image.read(0, 0, true, OIIO::TypeDesc::UINT8)) return {"cannot be decoded: " + image.geterror(), ""};
+  const OIIO::ImageBuf image = read_pixels(file);
   if (image.spec().width != label.camera.width || image.spec().height != label.camera.height)
     return {"its size contradicts calibration.json", ""};
   return {"", pixels_sha256(image)};
 } catch (const std::runtime_error& error) {
   return {error.what(), ""};
+}
+
+bool is_image(const fs::path& file) {
+  return file.extension() != ".csv" && file.extension() != ".json";
 }
 
 /// Collects faults about one dataset.
@@ -80,7 +83,7 @@ class Verifier {
           frames_[(group.folder / row.file).string()] = std::move(row);
         }
         for (const fs::directory_entry& entry : fs::directory_iterator(dataset_.root / group.folder))
-          if (entry.path().extension() == ".png" && !listed.contains(entry.path().filename().string()))
+          if (is_image(entry.path()) && !listed.contains(entry.path().filename().string()))
             fault(group.folder / entry.path().filename(), "is not in frames.csv");
       } catch (const std::runtime_error& error) {
         summary_.faults.push_back(error.what());

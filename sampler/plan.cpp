@@ -128,8 +128,8 @@ std::int64_t image_count(const Plan& plan) {
   return count;
 }
 
-std::string image_name(const PlannedView& view) {
-  return fmt::format("{:06}.png", view.index);
+std::string image_name(const Plan& plan, const PlannedView& view) {
+  return fmt::format("{:06}.{}", view.index, extension_of(plan.recipe.image_format));
 }
 
 Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,

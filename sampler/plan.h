@@ -71,8 +71,8 @@ struct Plan {
 /// Number of images the plan makes.
 std::int64_t image_count(const Plan& plan);
 
-/// `000017.png`
-std::string image_name(const PlannedView& view);
+/// `000017.png`, with the extension of the recipe's image format.
+std::string image_name(const Plan& plan, const PlannedView& view);
 
 /// Expands a valid recipe for the cars' rig. `scenes` are its scenes and cities, whose files exist; `load`
 /// imports one (one is held at a time). Throws std::runtime_error when a scene has too few streets for three

@@ -83,6 +83,7 @@ bool Recipe::is_valid(std::string* why) const {
       {is_between(samples, 2, 65536) && samples % 2 == 0,
        "samples: must be even, in [2, 65536]: a master is rendered in two halves"},
       {is_between(max_shaded_vertices, 1, 64), "max_shaded_vertices: must lie in [1, 64]"},
+      {is_between(jpeg_quality, 1, 100), "jpeg_quality: must lie in [1, 100]"},
   };
   for (const Check& check : checks)
     if (!check.holds) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "distortion/image_size.h"
+#include "sampler/image_format.h"
 #include "sampler/lens_draw.h"
 #include "sampler/light_draw.h"
 #include "sampler/per_size.h"
@@ -66,6 +67,10 @@ struct Recipe {
       16;  ///< per master pixel, even; an output pixel is as noisy as the mean of four times as many
   int max_shaded_vertices = 5;
   SensorOptions sensor;
+
+  // Files.
+  ImageFormat image_format = ImageFormat::png;
+  int jpeg_quality = 95;
 
   CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 

@@ -59,6 +59,9 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("full_well_max_e", r.sensor.full_well_max_e, "most electrons at white");
   visit("read_noise_min_e", r.sensor.read_noise_min_e, "least read noise, rms electrons");
   visit("read_noise_max_e", r.sensor.read_noise_max_e, "most read noise");
+
+  visit("image_format", r.image_format, "png, png_gray, jpeg, or exr: linear, without sensor noise");
+  visit("jpeg_quality", r.jpeg_quality, "1 to 100, colours not subsampled");
 }
 
 }  // namespace cps

@@ -41,6 +41,10 @@ inline void parse_value(std::string_view text, LensScheme& value) {
   value = lens_scheme_from_string(std::string(text));
 }
 
+inline void parse_value(std::string_view text, ImageFormat& value) {
+  value = image_format_from(std::string(text));
+}
+
 inline void parse_value(std::string_view text, CityStyle& value) {
   value = city_style_from(std::string(text));
 }
@@ -85,6 +89,10 @@ inline std::string value_text(const ImageSize& size) {
 
 inline std::string value_text(LensScheme scheme) {
   return to_string(scheme);
+}
+
+inline std::string value_text(ImageFormat format) {
+  return to_string(format);
 }
 
 inline std::string value_text(CityStyle style) {

@@ -3,6 +3,7 @@
 #include <boost/program_options/parsers.hpp>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "sampler/recipe_values.h"
@@ -70,11 +71,16 @@ Rig read_rig(const std::filesystem::path& file) {
   if (!stream || std::filesystem::is_directory(file))
     throw std::runtime_error(file.string() + ": cannot be read; name a rig file");
   try {
-    const po::options_description none;
-    return rig_from(po::parse_config_file(stream, none, true).options);
+    return rig_from_text({std::istreambuf_iterator<char>(stream), {}});
   } catch (const std::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }
+}
+
+Rig rig_from_text(const std::string& text) {
+  std::istringstream lines(text);
+  const po::options_description none;
+  return rig_from(po::parse_config_file(lines, none, true).options);
 }
 
 Rig find_rig(const std::string& named, const std::filesystem::path& recipe_folder) {

@@ -15,6 +15,9 @@ Rig read_rig(const std::filesystem::path& file);
 /// one camera called front. Throws as read_rig does.
 Rig find_rig(const std::string& named, const std::filesystem::path& recipe_folder);
 
+/// The rig of a file's text. Throws std::runtime_error in one line: camera and key, fix.
+Rig rig_from_text(const std::string& text);
+
 /// The rig as a file that reads back to the same rig.
 std::string to_text(const Rig& rig);
 

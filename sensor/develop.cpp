@@ -79,18 +79,42 @@ double meter_exposure(const OIIO::ImageBuf& linear_master) {
   return sum > 0 ? key * static_cast<double>(luminances.size()) / sum : 1.0;
 }
 
+OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear) {
+  const int width = linear.spec().width, height = linear.spec().height;
+  OIIO::ImageBuf gray(OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::FLOAT));
+  const auto* from = static_cast<const float*>(linear.localpixels());
+  auto* to = static_cast<float*>(gray.localpixels());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(width) * height; ++i)
+    to[i] = 0.2126f * from[3 * i] + 0.7152f * from[3 * i + 1] + 0.0722f * from[3 * i + 2];
+  return gray;
+}
+
+double exposure_factor(double exposure, const SensorSettings& settings) {
+  return exposure * std::exp2(settings.exposure_bias_ev);
+}
+
+OIIO::ImageBuf expose(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings) {
+  OIIO::ImageBuf exposed(linear.spec());
+  const auto factor = static_cast<float>(exposure_factor(exposure, settings));
+  const auto* from = static_cast<const float*>(linear.localpixels());
+  auto* to = static_cast<float*>(exposed.localpixels());
+  for (std::size_t i = 0; i < linear.spec().image_pixels() * linear.spec().nchannels; ++i)
+    to[i] = factor * from[i];
+  return exposed;
+}
+
 OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
                        Stream noise) {
   static const std::array<float, 255> thresholds = srgb_thresholds();
-  const int width = linear.spec().width, height = linear.spec().height;
-  OIIO::ImageBuf encoded(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8));
+  const int width = linear.spec().width, height = linear.spec().height, channels = linear.spec().nchannels;
+  OIIO::ImageBuf encoded(OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::UINT8));
   const auto* from = static_cast<const float*>(linear.localpixels());
   auto* to = static_cast<std::uint8_t*>(encoded.localpixels());
-  const double scale = exposure * std::exp2(settings.exposure_bias_ev) * settings.full_well_e;
+  const double scale = exposure_factor(exposure, settings) * settings.full_well_e;
   const double read_variance = settings.read_noise_e * settings.read_noise_e;
   tbb::parallel_for(0, height, [&](int y) {
-    const std::size_t row = static_cast<std::size_t>(y) * width * 3;
-    for (std::size_t i = row; i < row + static_cast<std::size_t>(width) * 3; ++i) {
+    const std::size_t row = static_cast<std::size_t>(y) * width * channels;
+    for (std::size_t i = row; i < row + static_cast<std::size_t>(width) * channels; ++i) {
       const double electrons = std::max(0.0, scale * from[i]);
       const double noisy = electrons + std::sqrt(electrons + read_variance) * random_normal(noise, i);
       to[i] = srgb_code(thresholds, static_cast<float>(noisy / settings.full_well_e));

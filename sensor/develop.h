@@ -34,9 +34,18 @@ SensorSettings draw_sensor(const SensorOptions& options, Stream stream);
 /// that the sun does not decide. A black image gives 1.
 double meter_exposure(const OIIO::ImageBuf& linear_master);
 
+/// Rec. 709 luminance of three linear channels: what a sensor without colours sees.
+OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear);
+
+/// The factor from radiance to share of white, `exposure`·2^bias.
+double exposure_factor(double exposure, const SensorSettings& settings);
+
+/// Linear radiance → share of white, and nothing else: no noise, no clipping.
+OIIO::ImageBuf expose(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings);
+
 /// Linear radiance → 8-bit sRGB (IEC 61966-2-1): scaled by `exposure`·2^bias, shot and read noise as a normal
 /// of variance (signal + read²) electrons per channel and pixel, clipped at white, encoded, rounded. Noise is
-/// a pure function of (noise, pixel, channel). `linear` has three float channels.
+/// a pure function of (noise, pixel, channel). `linear` has float channels.
 OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
                        Stream noise);
 

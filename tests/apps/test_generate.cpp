@@ -1,78 +1,18 @@
-#include <signal.h>
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <map>
 #include <set>
 #include <sstream>
-#include <thread>
 
-#include "cps_program.h"
-#include "random/counter_hash.h"
+#include "dataset_runs.h"
 #include "street_gltf.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string generate_arguments(const fs::path& scene, const fs::path& out) {
-  return "generate --name t --seed 3 --scene " + scene.string() +
-         " --size 80x45 --base_hfov_deg 60,120 --views 5 --lenses 2 --conditions_per_scene 2 --samples 2 "
-         "--out " +
-         out.string();
-}
-
-/// Every file of a dataset but the journal, by name.
-std::map<std::string, std::string> contents(const fs::path& root) {
-  std::map<std::string, std::string> files;
-  if (!fs::exists(root)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    const fs::path name = entry.path().lexically_relative(root);
-    if (entry.is_regular_file() && *name.begin() != ".cps") files[name.string()] = read_file(entry.path());
-  }
-  return files;
-}
-
-/// Starts generate and kills it after `delay`. Returns false if it was done before.
-bool run_and_kill(const std::string& arguments, std::chrono::milliseconds delay) {
-  const pid_t child = fork();
-  if (child == 0) {
-    const std::string command = std::string("exec ") + CPS_PROGRAM + " " + arguments + " >/dev/null 2>&1";
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  std::this_thread::sleep_for(delay);
-  kill(child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFSIGNALED(status);
-}
-
-void check_kills(int kills) {
-  const TemporaryFolder temporary;
-  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
-  REQUIRE(run_cps(generate_arguments(scene, folder / "whole")).exit_status == 0);
-  int interrupted = 0;
-  for (int i = 0; i < kills; ++i) {
-    const double delay_ms = random_uniform(make_stream(7, "kill"), i, 5, 400);
-    interrupted += run_and_kill(generate_arguments(scene, folder / "killed"),
-                                std::chrono::milliseconds(std::lround(delay_ms)));
-    for (const auto& [name, bytes] : contents(folder / "killed"))
-      if (name.ends_with(".png")) CHECK(bytes == read_file(folder / "whole" / name));
-  }
-  CHECK(interrupted > 0);
-  REQUIRE(run_cps(generate_arguments(scene, folder / "killed")).exit_status == 0);
-  CHECK(contents(folder / "killed") == contents(folder / "whole"));
-}
-
-}  // namespace
-
 TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finished one is left alone") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
-  const ProgramRun made = run_cps(generate_arguments(scene, out));
+  const ProgramRun made = run_cps(tiny_recipe(scene, out));
   INFO(made.output);
   REQUIRE(made.exit_status == 0);
   const auto files = contents(out);
@@ -86,7 +26,7 @@ TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finish
   CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
   CHECK(run_cps("contact-sheet " + out.string() + " -o " + (folder / "sheet.png").string()).exit_status == 0);
   const auto before = fs::last_write_time(out / "dataset.json");
-  const ProgramRun again = run_cps(generate_arguments(scene, out));
+  const ProgramRun again = run_cps(tiny_recipe(scene, out));
   CHECK(again.exit_status == 0);
   CHECK_THAT(again.output, Catch::Contains("nothing to do"));
   CHECK(fs::last_write_time(out / "dataset.json") == before);
@@ -147,30 +87,22 @@ TEST_CASE("a rig's cameras have folders, labels and lenses of their own and shar
   const ProgramRun verified = run_cps("verify " + out.string());
   INFO(verified.output);
   CHECK(verified.exit_status == 0);
-  check_refused(generate_arguments(scene, folder / "none") + " --rig none.rig", 1, "rig = none.rig");
+  check_refused(tiny_recipe(scene, folder / "none") + " --rig none.rig", 1, "rig = none.rig");
 }
 
 TEST_CASE("one thread and two make the same bytes") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder);
-  REQUIRE(run_cps(generate_arguments(scene, folder / "one") + " --threads 1").exit_status == 0);
-  REQUIRE(run_cps(generate_arguments(scene, folder / "three") + " --threads 3").exit_status == 0);
+  REQUIRE(run_cps(tiny_recipe(scene, folder / "one") + " --threads 1").exit_status == 0);
+  REQUIRE(run_cps(tiny_recipe(scene, folder / "three") + " --threads 3").exit_status == 0);
   CHECK(contents(folder / "one") == contents(folder / "three"));
-}
-
-TEST_CASE("killed at any moment and run again, generate ends with the uninterrupted dataset") {
-  check_kills(6);
-}
-
-TEST_CASE("the same after a hundred kills", "[slow]") {
-  check_kills(100);
 }
 
 TEST_CASE("a folder begun with another recipe is refused") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
-  REQUIRE(run_cps(generate_arguments(scene, out)).exit_status == 0);
-  const ProgramRun refused = run_cps(generate_arguments(scene, out) + " --max_zoom 2");
+  REQUIRE(run_cps(tiny_recipe(scene, out)).exit_status == 0);
+  const ProgramRun refused = run_cps(tiny_recipe(scene, out) + " --max_zoom 2");
   CHECK(refused.exit_status == 1);
   CHECK_THAT(refused.output, Catch::Contains("max_zoom = 2"));
 }

@@ -7,6 +7,7 @@
 #include "dataset/files.h"
 #include "dataset/finish.h"
 #include "dataset/group_label.h"
+#include "dataset/image_file.h"
 #include "dataset/png.h"
 #include "random/counter_hash.h"
 #include "sampler/plan.h"
@@ -43,10 +44,13 @@ inline void write_small_dataset(const std::filesystem::path& root, const Plan& p
       for (int i = 0; i < 3 * camera.width * camera.height; ++i)
         pixels[i] = static_cast<std::uint8_t>(random_bits(substream(make_stream(view.seed, "noise"), g), i));
       const std::string png = encode_png(image);
-      const std::string file = plan.groups[g].folder + "/" + image_name(view);
+      const std::string file = plan.groups[g].folder + "/" + image_name(plan, view);
       write_file(root / file, png);
-      record.images.push_back(
-          {.file = file, .sensor = {}, .sha256 = sha256(png), .pixels_sha256 = pixels_sha256(image)});
+      record.images.push_back({.file = file,
+                               .sensor = {},
+                               .bytes = png.size(),
+                               .sha256 = sha256(png),
+                               .pixels_sha256 = pixels_sha256(image)});
     }
     records[record.view] = record;
   }

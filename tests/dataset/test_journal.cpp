@@ -1,21 +1,35 @@
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
+#include <csignal>
 
 #include "dataset/journal.h"
 #include "small_dataset.h"
 
 using namespace cps;
+namespace fs = std::filesystem;
 
 namespace {
 
-ViewRecord record_of(std::int64_t view, const std::filesystem::path& root) {
+ViewRecord record_of(std::int64_t view, const fs::path& root) {
   const std::string file = "set/leaf/" + std::to_string(view) + ".png";
   write_file(root / file, std::string("picture"));
   return {.view = view,
           .exposure = 0.1 + 0.2,
           .images = {{.file = file,
                       .sensor = {.exposure_bias_ev = 0.1, .full_well_e = 1234.5, .read_noise_e = 3},
+                      .bytes = 7,
                       .sha256 = "a",
                       .pixels_sha256 = "b"}}};
+}
+
+fs::path file_of(const fs::path& root, const char* shard = "0_of_1") {
+  return root / ".cps" / ("journal_" + std::string(shard) + ".jsonl");
+}
+
+void write_journal(const fs::path& root, const std::vector<std::int64_t>& views, const Shard& shard = {}) {
+  Journal journal(root, shard);
+  for (std::int64_t v : views) journal.append(record_of(v, root));
 }
 
 }  // namespace
@@ -23,63 +37,97 @@ ViewRecord record_of(std::int64_t view, const std::filesystem::path& root) {
 TEST_CASE("what was journalled is there when the job is taken up again") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
-  {
-    Journal journal(root, {"job", "seed = 0\n"});
-    for (int v : {0, 1, 5}) journal.append(record_of(v, root));
-  }
-  const Journal again(root, {"job", "seed = 0\n"});
-  REQUIRE(again.finished().size() == 3);
-  const ViewRecord& five = again.finished().at(5);
+  CHECK(read_journals(root).views.empty());
+  write_journal(root, {0, 1, 5});
+  write_journal(root, {7});
+  const JournalLines lines = read_journals(root);
+  REQUIRE(lines.views.size() == 4);
+  const ViewRecord& five = lines.views.at(5);
   CHECK(five.exposure == 0.1 + 0.2);
   CHECK(five.images[0].sensor.full_well_e == 1234.5);
+  CHECK(five.images[0].bytes == 7);
   CHECK(five.images[0].pixels_sha256 == "b");
-  CHECK(again.dropped_lines() == 0);
+  CHECK(lines.unreadable == 0);
+}
+
+TEST_CASE("what was made under any sharding counts") {
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
+  write_journal(root, {0, 1}, {0, 2});
+  write_journal(root, {1, 2}, {1, 3});
+  write_journal(root, {9}, {0, 1});
+  CHECK(read_journals(root).views.size() == 4);
+  CHECK(journalled_shard_counts(root) == std::vector<std::int64_t>{1, 2, 3});
 }
 
 TEST_CASE("a line cut at any byte costs that view only, and the journal goes on cleanly") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
-  {
-    Journal journal(root, {"job", ""});
-    journal.append(record_of(0, root));
-    journal.append(record_of(1, root));
-  }
-  const std::filesystem::path file = root / ".cps" / "journal.jsonl";
-  const std::string whole = read_file(file);
+  write_journal(root, {0, 1});
+  const std::string whole = read_file(file_of(root));
   const std::size_t first = whole.find('\n') + 1;
   for (std::size_t size = first; size < whole.size(); ++size) {
-    write_file(file, whole.substr(0, size));
-    {
-      Journal journal(root, {"job", ""});
-      CHECK(journal.finished().size() == 1);
-      journal.append(record_of(1, root));
-    }
-    CHECK(read_file(file) == whole);
+    write_file(file_of(root), whole.substr(0, size));
+    CHECK(read_journals(root).views.size() == 1);
+    CHECK(read_journals(root).unreadable == 0);  // another process may be writing it
+    write_journal(root, {1});
+    CHECK(read_file(file_of(root)) == whole);
   }
 }
 
-TEST_CASE("a damaged line and a vanished picture cost their views only") {
+TEST_CASE("a line with any one byte changed is not believed") {
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
+  write_journal(root, {0, 1, 2});
+  const std::string whole = read_file(file_of(root));
+  const std::size_t begin = whole.find('\n') + 1, end = whole.find('\n', begin);
+  for (std::size_t i = begin; i < end; ++i) {
+    std::string damaged = whole;
+    damaged[i] = damaged[i] == '1' ? '2' : '1';
+    write_file(file_of(root), damaged);
+    const JournalLines lines = read_journals(root);
+    CHECK(lines.views.size() == 2);
+    CHECK(lines.unreadable == 1);
+  }
+}
+
+TEST_CASE("a view whose picture vanished, or lost its end, is not whole") {
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
+  const ViewRecord record = record_of(2, root);
+  CHECK(has_its_images(root, record));
+  fs::resize_file(root / "set/leaf/2.png", 3);
+  CHECK_FALSE(has_its_images(root, record));
+  fs::remove(root / "set/leaf/2.png");
+  CHECK_FALSE(has_its_images(root, record));
+}
+
+TEST_CASE("a shard's journal is one process's; another shard's is free") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   {
-    Journal journal(root, {"job", ""});
-    for (int v : {0, 1, 2}) journal.append(record_of(v, root));
+    const Journal journal(root, {1, 4});
+    CHECK_THROWS_WITH(Journal(root, Shard{1, 4}), Catch::Contains("shard 1/4 is being made by another process"));
+    const Journal other(root, {2, 4});
   }
-  const std::filesystem::path file = root / ".cps" / "journal.jsonl";
-  std::string text = read_file(file);
-  text[text.find('\n') + 5] = '\x01';
-  write_file(file, text);
-  std::filesystem::remove(root / "set/leaf/2.png");
-  const Journal again(root, {"job", ""});
-  CHECK(again.finished().size() == 1);
-  CHECK(again.finished().contains(0));
-  CHECK(again.dropped_lines() == 1);
+  const Journal again(root, {1, 4});
 }
 
-TEST_CASE("another recipe in the same folder is refused, with the difference named") {
+TEST_CASE("a journal that cannot grow says so and keeps whole lines") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
-  { const Journal journal(root, {"job", "seed = 0\nviews = 3\n"}); }
-  CHECK_THROWS_WITH(Journal(root, Job{"other", "seed = 0\nviews = 4\n"}),
-                    Catch::Contains("\"views = 3\" became \"views = 4\""));
+  const ViewRecord record = record_of(1, root);
+  write_journal(root, {0});
+  const std::string whole = read_file(file_of(root));
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  Journal journal(root, {});
+  const rlimit small{whole.size() + 20, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  CHECK_THROWS_WITH(journal.append(record), Catch::Contains("journal_0_of_1.jsonl: cannot be written"));
+  setrlimit(RLIMIT_FSIZE, &before);
+  CHECK(read_file(file_of(root)) == whole);
+  journal.append(record);
+  CHECK(read_journals(root).views.size() == 2);
 }

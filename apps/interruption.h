@@ -1,0 +1,22 @@
+#pragma once
+
+#include <exception>
+
+namespace cps {
+
+/// Exit status of what was asked to stop before it was done and goes on when it is run again (EX_TEMPFAIL of
+/// sysexits.h; Slurm's RequeueExit knows it).
+inline constexpr int exit_run_again = 75;
+
+/// Thrown where long work gives up because it was asked to.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+/// From now on the first SIGTERM or SIGINT only sets a flag; a second one kills as ever.
+void stop_on_signals();
+
+/// Whether such a signal came.
+bool is_interrupted();
+
+}  // namespace cps

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+
+#include "dataset/records.h"
+#include "distortion/render_noise.h"
+#include "sampler/plan.h"
+
+namespace cps {
+
+/// CPU nanoseconds that threads spent on the stages after the render.
+struct ImageTimes {
+  std::atomic<std::int64_t> warp_ns = 0, develop_ns = 0, encode_ns = 0, write_ns = 0;
+};
+
+/// A view's undistorted, linear, oversampled render, as two halves of its samples.
+struct RenderedHalves {
+  OIIO::ImageBuf first, second;
+};
+
+/// Makes a view's images of its render and writes them, several at a time, each on one thread. The sensor is
+/// drawn from the view and the group's number alone, so that it knows nothing of the lens. Throws
+/// std::runtime_error in one line when a file cannot be written.
+ViewRecord make_images(const Plan& plan, std::int64_t view, const RenderedHalves& halves,
+                       const std::filesystem::path& root, ImageTimes& times);
+
+}  // namespace cps
