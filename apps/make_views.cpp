@@ -6,30 +6,14 @@
 #include <chrono>
 #include <mutex>
 
+#include "apps/condition_scene.h"
 #include "apps/cpu_time.h"
 #include "apps/interruption.h"
-#include "apps/scene_files.h"
 #include "apps/view_images.h"
 #include "renderer/render.h"
 
 namespace cps {
 namespace {
-
-/// The scene of the condition that is being rendered.
-struct LoadedCondition {
-  int condition = -1;
-  std::shared_ptr<RenderScene> scene;
-
-  RenderScene& of(const Plan& plan, const PlannedView& view) {
-    if (condition != view.condition) {
-      const PlannedCondition& planned = plan.conditions[view.condition];
-      scene.reset();  // before the next one is loaded: one at a time is in memory
-      scene = build_render_scene(load_scene(plan.scenes[planned.scene], plan.recipe), planned.light.daylight);
-      condition = view.condition;
-    }
-    return *scene;
-  }
-};
 
 std::string name_of(const Plan& plan, const PlannedView& view) {
   return fmt::format("{} {} {} of {}", plan.sets[view.set].folder, plan.rig.cameras[view.rig_camera].name,
@@ -116,8 +100,9 @@ class ViewLine {
   }
 
   OIIO::ImageBuf render_half(const PlannedView& view, const RenderScene& scene, const char* stream) {
-    const Camera camera{.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
-                        .pinhole = view.master};
+    const Camera camera{
+        .world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
+        .pinhole = view.master};
     RenderSummary rendered;
     OIIO::ImageBuf half = render(scene, camera,
                                  {.samples = plan_.recipe.samples / 2,
@@ -148,7 +133,7 @@ class ViewLine {
 
   std::size_t next_ = 0;
   bool was_given_up_ = false;
-  LoadedCondition loaded_;
+  ConditionScene loaded_;
   ImageTimes image_times_;
   MakeViewsSummary summary_;
   std::mutex failing_;
@@ -162,7 +147,8 @@ std::string MakeViewsSummary::brief() const {
   const double post_s = cpu.warp_s + cpu.develop_s + cpu.encode_s + cpu.write_s;
   const auto share = [&](double seconds) { return cpu_s > 0 ? 100 * seconds / cpu_s : 0.0; };
   return fmt::format(
-      "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %, warp {:.1f} %, develop "
+      "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %, warp {:.1f} %, "
+      "develop "
       "{:.1f} %, encode {:.1f} %, write {:.1f} %, scenes and the rest {:.1f} %; {} threads {:.1f} % busy",
       views, images, wall_s, wall_s > 0 ? static_cast<double>(images) / wall_s : 0.0, cpu_s,
       share(cpu.render_s), share(cpu.warp_s), share(cpu.develop_s), share(cpu.encode_s), share(cpu.write_s),

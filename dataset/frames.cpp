@@ -73,7 +73,8 @@ std::vector<FrameRow> read_frames_csv(const std::filesystem::path& file) {
     return static_cast<std::size_t>(found - header.begin());
   };
   const std::size_t name = column("file"), part = column("part"), condition = column("condition"),
-                    street = column("street"), hash = column("sha256");
+                    street = column("street"), hash = column("sha256"), exposure = column("exposure"),
+                    bias = column("exposure_bias_ev");
   std::vector<FrameRow> rows;
   while (std::getline(lines, line)) {
     const std::vector<std::string> fields = csv_fields(line);
@@ -81,7 +82,9 @@ std::vector<FrameRow> read_frames_csv(const std::filesystem::path& file) {
       throw std::runtime_error(file.string() + ": line " + std::to_string(rows.size() + 2) + ": has " +
                                std::to_string(fields.size()) + " fields, its header " +
                                std::to_string(header.size()));
-    rows.push_back({fields[name], fields[part], fields[condition], fields[street], fields[hash]});
+    rows.push_back({fields[name], fields[part], fields[condition], fields[street], fields[hash],
+                    std::strtod(fields[exposure].c_str(), nullptr),
+                    std::strtod(fields[bias].c_str(), nullptr)});
   }
   return rows;
 }

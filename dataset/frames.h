@@ -23,6 +23,7 @@ std::string frames_csv(const std::vector<Frame>& frames);
 /// What a checker needs of one line.
 struct FrameRow {
   std::string file, part, condition, street, sha256;
+  double exposure = 1, exposure_bias_ev = 0;
 };
 
 /// Reads a frames.csv by its header's names, whatever their order. Throws std::runtime_error: file, line,
