@@ -23,7 +23,8 @@ constexpr const char* usage =
     "cps generate --recipe FILE --out DIR [--shard I/N] [--KEY VALUE …]\n"
     "Makes a dataset: plans every view and lens, renders each view once, and sends it through its lenses and "
     "the sensor.\n"
-    "Run it again after an interruption and it finishes the job; a finished job is left alone. With --shard it "
+    "Run it again after an interruption and it finishes the job; a finished job is left alone. With --shard "
+    "it "
     "makes one of N shares of the images, and cps finish makes a dataset of them when all are there.\n"
     "Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT: run it again.\n";
 

@@ -14,6 +14,7 @@ namespace cps {
 FileLock::FileLock(const std::filesystem::path& file, Kind kind, bool wait) : file_(file) {
   std::error_code failed;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+  if (failed) throw std::runtime_error(file.string() + ": cannot be written: " + failed.message());
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0)
     throw std::runtime_error(file.string() + ": cannot be written: " + std::strerror(errno));

@@ -15,8 +15,9 @@ class FileLock {
     exclusive  ///< alone
   };
 
-  /// Takes the lock if it is free; `wait` for it or look at is_held(). Where the file system knows no locks it
-  /// counts as held, and one line on stderr says so. Throws std::runtime_error when the file cannot be opened.
+  /// Takes the lock if it is free; `wait` for it or look at is_held(). Where the file system knows no locks
+  /// it counts as held, and one line on stderr says so. Throws std::runtime_error when the file cannot be
+  /// opened.
   FileLock(const std::filesystem::path& file, Kind kind, bool wait = false);
   ~FileLock();
   FileLock(const FileLock&) = delete;

@@ -105,7 +105,7 @@ OIIO::ImageBuf photograph(const RenderScene& scene, const PlannedView& view, int
 Statistics see(CityStyle style, int views, const fs::path& folder) {
   const Recipe recipe = recipe_of(style, views);
   const std::vector<PlannedScene> scenes = plan_scenes(recipe, folder / "cities");
-  make_scene_files(scenes);
+  make_scene_files(scenes, folder / "cities");
   const Plan plan = make_plan(recipe, Rig{}, scenes,
                               [](const fs::path& file) { return DrivenScene{.scene = import_gltf(file)}; });
   Statistics statistics;

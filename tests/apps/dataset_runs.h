@@ -44,8 +44,10 @@ inline std::string differences(const std::filesystem::path& a, const std::filesy
   for (const auto& [name, bytes] : in_a)
     if (!in_b.contains(name)) text += "only in the first: " + name + "\n";
   for (const auto& [name, bytes] : in_b) {
-    if (!in_a.contains(name)) text += "only in the second: " + name + "\n";
-    else if (in_a.at(name) != bytes) text += "differs: " + name + "\n";
+    if (!in_a.contains(name))
+      text += "only in the second: " + name + "\n";
+    else if (in_a.at(name) != bytes)
+      text += "differs: " + name + "\n";
   }
   return text;
 }
@@ -57,7 +59,8 @@ inline pid_t start_cps(
   const pid_t child = fork();
   if (child != 0) return child;
   prepare();
-  const std::string command = std::string("exec ") + CPS_PROGRAM + " " + arguments + " >" + output.string() + " 2>&1";
+  const std::string command =
+      std::string("exec ") + CPS_PROGRAM + " " + arguments + " >" + output.string() + " 2>&1";
   execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
   _exit(127);
 }

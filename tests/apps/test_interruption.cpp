@@ -44,8 +44,11 @@ void check_kills(int kills, bool by_shards) {
 
 /// The output of generate stopped by a signal once it says that it began.
 ProgramRun stopped(const std::string& arguments, int signal, const fs::path& output) {
+  fs::remove(output);  // of an earlier run
   const pid_t child = start_cps(arguments, output);
-  const auto has_begun = [&] { return fs::exists(output) && read_file(output).find("to make") != std::string::npos; };
+  const auto has_begun = [&] {
+    return fs::exists(output) && read_file(output).find("to make") != std::string::npos;
+  };
   while (!has_begun() && waitpid(child, nullptr, WNOHANG) == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   kill(child, signal);

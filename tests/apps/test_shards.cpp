@@ -24,8 +24,8 @@ std::vector<std::string> shards_in_drawn_order(int count, std::uint64_t seed) {
 void check_shards(const fs::path& scene, const fs::path& whole, const fs::path& out, int count, int threads) {
   INFO(count << " shards, " << threads << " threads");
   for (const std::string& shard : shards_in_drawn_order(count, count + 100 * threads)) {
-    const ProgramRun run = run_cps(tiny_recipe(scene, out) + " --shard " + shard + " --threads " +
-                                   std::to_string(threads));
+    const ProgramRun run =
+        run_cps(tiny_recipe(scene, out) + " --shard " + shard + " --threads " + std::to_string(threads));
     INFO(run.output);
     REQUIRE(run.exit_status == 0);
     CHECK_FALSE(fs::exists(out / "dataset.json"));
@@ -75,8 +75,8 @@ TEST_CASE("what was made under one sharding counts under another, and finish say
 
   // Half of the folder is split further; the quarters that lie in the made half have nothing to do.
   CHECK_THAT(run_cps(tiny_recipe(scene, out) + " --shard 1/4").output, Catch::Contains("0 views to make"));
-  CHECK_THAT(run_cps(tiny_recipe(scene, out) + " --shard 2/4").output, Catch::Contains("views to make") &&
-                                                                            !Catch::Contains(" 0 views"));
+  CHECK_THAT(run_cps(tiny_recipe(scene, out) + " --shard 2/4").output,
+             Catch::Contains("views to make") && !Catch::Contains(" 0 views"));
   const ProgramRun rest = run_cps(tiny_recipe(scene, out));  // the rest, unsharded, which finishes
   INFO(rest.output);
   CHECK(rest.exit_status == 0);
@@ -131,7 +131,8 @@ TEST_CASE("shards that start at once make a recipe's cities once", "[slow]") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, out = folder / "dataset";
   const std::string recipe =
-      "generate --seed 4 --city_seed 1,2 --size 64x36 --base_hfov_deg 70 --views 3 --lenses 1 --samples 2 --out ";
+      "generate --seed 4 --city_seed 1,2 --size 64x36 --base_hfov_deg 70 --views 3 --lenses 1 --samples 2 "
+      "--out ";
   std::vector<pid_t> together;
   for (const char* shard : {"0/3", "1/3", "2/3"})
     together.push_back(start_cps(recipe + out.string() + " --shard " + shard));
@@ -145,6 +146,7 @@ TEST_CASE("a shard out of range is wrong usage") {
   const TemporaryFolder temporary;
   const fs::path scene = write_street_gltf(temporary.path);
   for (const char* shard : {"2/2", "1", "-1/2", "a/b", "0/0"})
-    check_refused(tiny_recipe(scene, temporary.path / "d") + " --shard " + shard, 2, "--shard " + std::string(shard));
+    check_refused(tiny_recipe(scene, temporary.path / "d") + " --shard " + shard, 2,
+                  "--shard " + std::string(shard));
   CHECK_FALSE(fs::exists(temporary.path / "d"));
 }

@@ -27,7 +27,8 @@ TEST_CASE("frames.csv reads back, whatever a street is called") {
 TEST_CASE("a frames.csv that is cut short or lacks a column is refused by line or name") {
   const TemporaryFolder temporary;
   const auto& folder = temporary.path;
-  write_file(folder / "a.csv", std::string("file,part,condition,street,sha256\nx.png,train\n"));
+  write_file(folder / "a.csv",
+             std::string("file,part,condition,street,exposure,exposure_bias_ev,sha256\nx.png,train\n"));
   CHECK_THROWS_WITH(read_frames_csv(folder / "a.csv"), Catch::Contains("a.csv: line 2"));
   write_file(folder / "b.csv", std::string("file,part,condition,sha256\n"));
   CHECK_THROWS_WITH(read_frames_csv(folder / "b.csv"), Catch::Contains("street"));

@@ -1,8 +1,7 @@
-#include "dataset/job.h"
-
 #include <catch2/catch.hpp>
 
 #include "dataset/files.h"
+#include "dataset/job.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;

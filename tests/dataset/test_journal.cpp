@@ -107,7 +107,8 @@ TEST_CASE("a shard's journal is one process's; another shard's is free") {
   const auto& root = temporary.path;
   {
     const Journal journal(root, {1, 4});
-    CHECK_THROWS_WITH(Journal(root, Shard{1, 4}), Catch::Contains("shard 1/4 is being made by another process"));
+    CHECK_THROWS_WITH(Journal(root, Shard{1, 4}),
+                      Catch::Contains("shard 1/4 is being made by another process"));
     const Journal other(root, {2, 4});
   }
   const Journal again(root, {1, 4});

@@ -1,6 +1,6 @@
-#include "sampler/shard.h"
-
 #include <catch2/catch.hpp>
+
+#include "sampler/shard.h"
 
 using namespace cps;
 
@@ -57,9 +57,11 @@ TEST_CASE("shards are written as index and count, from 0") {
   CHECK(shard_from_string("0/1") == Shard{0, 1});
   CHECK(shard_from_string("12/1000") == Shard{12, 1000});
   CHECK(to_string(Shard{3, 4}) == "3/4");
-  CHECK_THROWS_WITH(shard_from_string("4/4"), Catch::Contains("count from 0") && Catch::Contains("[0/4, 3/4]"));
+  CHECK_THROWS_WITH(shard_from_string("4/4"),
+                    Catch::Contains("count from 0") && Catch::Contains("[0/4, 3/4]"));
   CHECK_THROWS_WITH(shard_from_string("-1/4"), Catch::Contains("count from 0"));
   CHECK_THROWS_WITH(shard_from_string("0/0"), Catch::Contains("[1, 1000000]"));
-  for (const char* text : {"", "/", "1", "1/", "/2", "a/b", "1/2/3", "1 / 2", "0x1/2", "99999999999999999999/2"})
+  for (const char* text :
+       {"", "/", "1", "1/", "/2", "a/b", "1/2/3", "1 / 2", "0x1/2", "99999999999999999999/2"})
     CHECK_THROWS_WITH(shard_from_string(text), Catch::Contains("0/4"));
 }
