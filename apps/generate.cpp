@@ -9,6 +9,7 @@
 #include "apps/interruption.h"
 #include "apps/make_views.h"
 #include "apps/options.h"
+#include "apps/recipe_file.h"
 #include "apps/verbs.h"
 #include "dataset/finish.h"
 #include "dataset/group_label.h"
@@ -127,7 +128,7 @@ int cps_generate(const Arguments& arguments) {
   options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
-  if (values.count("recipe") > 0) store_recipe_file(values["recipe"].as<std::string>(), values);
+  store_named_recipe(values);
   po::notify(values);
 
   const int threads = values["threads"].as<int>();

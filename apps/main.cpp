@@ -23,6 +23,7 @@ const std::vector<Verb>& verbs() {
   static const std::vector<Verb> table = {
       {"city", "make a city .glb from a seed", cps::cps_city},
       {"render", "render one view of a glTF scene", cps::cps_render},
+      {"plan", "what a recipe will make and cost, before it is begun", cps::cps_plan},
       {"generate", "make a dataset from a recipe; picks up where it stopped", cps::cps_generate},
       {"finish", "join the shards of a dataset, or say what is missing", cps::cps_finish},
       {"verify", "check every file of a dataset against its labels", cps::cps_verify},

@@ -12,6 +12,7 @@ using Arguments = std::vector<std::string>;
 
 int cps_city(const Arguments& arguments);
 int cps_render(const Arguments& arguments);
+int cps_plan(const Arguments& arguments);
 int cps_generate(const Arguments& arguments);
 int cps_finish(const Arguments& arguments);
 int cps_verify(const Arguments& arguments);

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "cps_program.h"
 #include "street_gltf.h"
@@ -20,7 +21,8 @@ std::size_t files_in(const fs::path& folder) {
 TEST_CASE("wrong usage exits 2 with one line") {
   check_refused("fly", 2, "'fly' is not a verb");
   for (const char* verb :
-       {"city", "render", "generate", "finish", "verify", "contact-sheet", "lens", "distort", "undistort"})
+       {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet", "lens", "distort",
+        "undistort"})
     check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
   check_refused("verify", 2, "dataset");
   check_refused("generate --out", 2, "out");
@@ -29,10 +31,45 @@ TEST_CASE("wrong usage exits 2 with one line") {
 TEST_CASE("help is printed for every verb and exits 0") {
   CHECK(run_cps("help").exit_status == 0);
   for (const char* verb :
-       {"city", "render", "generate", "finish", "verify", "contact-sheet", "lens", "distort", "undistort"}) {
+       {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet", "lens", "distort",
+        "undistort"}) {
     const ProgramRun run = run_cps("help " + std::string(verb));
     CHECK(run.exit_status == 0);
     CHECK_THAT(run.output, Catch::Contains("cps " + std::string(verb)));
+  }
+}
+
+TEST_CASE("a bad recipe is refused before any work, in one line with key and range") {
+  const TemporaryFolder temporary;
+  const fs::path recipe = temporary.path / "bad.cfg", out = temporary.path / "out";
+  const std::string good = "city_seed = 1\nsize = 80x45\nbase_hfov_deg = 60\nviews = 3\nlenses = 1\n";
+  const std::pair<const char*, const char*> cases[] = {
+      {"viwes = 3", "viwes"},
+      {"base_hfov_deg = 0", "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
+      {"base_hfov_deg = 180", "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
+      {"views = 0", "views: must lie in [3, 1000000]"},
+      {"views = 3, 4", "views: name one number, or as many as there are sizes"},
+      {"size = -80x45", "size: width and height must be at least 32 pixels"},
+      {"size = 80x0", "size: width and height must be at least 32 pixels"},
+      {"min_eigenvalue = 2", "min_eigenvalue"},
+      {"max_displacement = 0", "max_displacement: must lie between 0 and 1"},
+      {"lens_draw = shape_prior\nsequential_share = 0\nmax_displacement = 1e-6",
+       "60 degrees: no lens within"},
+      {"k1_min = 0.1", "k1_min ≤ 0 ≤ k1_max"},
+      {"rig = nowhere.rig", "nowhere.rig"},
+      {"scale = -1", "scale: must be above 0 and at most 100"},
+      {"scene = /nonexistent.glb", "/nonexistent.glb: there is no such file"}};
+  for (const auto& [lines, expected] : cases) {
+    const std::string bad = lines, key = bad.substr(0, bad.find(" ="));
+    std::string text = bad + "\n";
+    std::istringstream rest(good);
+    for (std::string line; std::getline(rest, line);)
+      if (!line.starts_with(key + " ")) text += line + "\n";
+    write_file(recipe, text);
+    for (const char* verb : {"generate", "plan"})
+      check_refused(std::string(verb) + " --recipe " + recipe.string() + " --out " + out.string(), 1,
+                    expected);
+    CHECK(!fs::exists(out));
   }
 }
 

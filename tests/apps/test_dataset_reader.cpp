@@ -71,27 +71,21 @@ std::map<std::string, std::string> frames_of(const fs::path& leaf) {
   return frames;
 }
 
-}  // namespace
-
-TEST_CASE("a reader that knows only the documented format finds two levels, all keys, and true labels") {
-  const cps::TemporaryFolder folder;
-  const fs::path scene = cps::write_street_gltf(folder.path), root = folder.path / "dataset";
-  const cps::ProgramRun made =
-      cps::run_cps("generate --seed 8 --scene " + scene.string() +
-                   " --size 96x54,110x40 --base_hfov_deg 40,90,140 --views 4 --lenses 3 --samples 2 --out " +
-                   root.string());
-  INFO(made.output);
-  REQUIRE(made.exit_status == 0);
-
+struct Found {
   int images = 0, leaves = 0;
+};
+
+/// Reads all of a dataset, whose folders are named after the label's `named_after`, and checks what it finds.
+Found read_as_a_stranger(const fs::path& root, const char* named_after) {
+  Found found;
   for (const auto& set : fs::directory_iterator(root)) {
     std::smatch named;
     const std::string set_name = set.path().filename().string();
     if (!std::regex_match(set_name, named, std::regex(R"((\d+)x(\d+)_hfov(\d{3}))"))) continue;
     for (const auto& leaf : fs::directory_iterator(set)) {
       INFO(leaf.path());
-      ++leaves;
-      CHECK(std::regex_match(leaf.path().filename().string(), std::regex(R"([a-z]+_lens\d{4})")));
+      ++found.leaves;
+      CHECK(std::regex_match(leaf.path().filename().string(), std::regex(R"([a-z0-9]+_lens\d{4})")));
       const Json label = Json::parse(std::ifstream(leaf.path() / "calibration.json"));
       for (const char* key :
            {"fov",          "K",    "width",       "height",       "k1",     "k2",     "k3",
@@ -101,7 +95,7 @@ TEST_CASE("a reader that knows only the documented format finds two levels, all 
       const double w = label.at("width"), fx = label.at("K")[0][0];
       CHECK(w == std::stod(named[1]));
       CHECK(double(label.at("height")) == std::stod(named[2]));
-      CHECK(std::lround(double(label.at("fov_base_deg"))) == std::stol(named[3]));
+      CHECK(std::lround(double(label.at(named_after))) == std::stol(named[3]));
       CHECK(std::abs(2 * std::atan(w / (2 * fx)) / degree - double(label.at("fov"))) < 1e-6);
       CHECK(label.at("K")[0][0] == label.at("K")[1][1]);
       CHECK(label.at("K")[0][2] == label.at("cx"));
@@ -121,15 +115,55 @@ TEST_CASE("a reader that knows only the documented format finds two levels, all 
         CHECK(in->spec().height == label.at("height"));
       }
       CHECK(pictures == static_cast<int>(frames.size()));
-      images += pictures;
+      found.images += pictures;
     }
   }
-  CHECK(leaves >= 2 * 3 * (1 + 3));
-  CHECK(images == 2 * 3 * 4 * (1 + 3));
   int listed = 0;
   for (const char* part : {"train", "val", "test"}) {
     std::ifstream in(root / "splits" / (std::string(part) + ".txt"));
     for (std::string line; std::getline(in, line); ++listed) CHECK(fs::exists(root / line));
   }
-  CHECK(listed == images);
+  CHECK(listed == found.images);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a reader that knows only the documented format finds two levels, all keys, and true labels") {
+  const cps::TemporaryFolder folder;
+  const fs::path scene = cps::write_street_gltf(folder.path), root = folder.path / "dataset";
+  const cps::ProgramRun made =
+      cps::run_cps("generate --seed 8 --scene " + scene.string() +
+                   " --size 96x54,110x40 --base_hfov_deg 40,90,140 --views 4 --lenses 3 --samples 2 --out " +
+                   root.string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+
+  const Found found = read_as_a_stranger(root, "fov_base_deg");
+  CHECK(found.leaves >= 2 * 3 * (1 + 3));
+  CHECK(found.images == 2 * 3 * 4 * (1 + 3));
+}
+
+TEST_CASE("every shipped recipe makes, at a tiny scale, what that reader reads", "[slow]") {
+  struct Small {
+    std::string name, sizes;
+    const char* named_after;
+    int images;
+  };
+  for (const Small& recipe :
+       {Small{"cps-v1", "96x54", "fov_base_deg", 7 * 3}, Small{"cps-v2", "96x54", "fov_base_deg", 13 * 3 * 6},
+        Small{"cps-v3", "96x54,110x40", "fov_base_deg", 13 * 3 * (6 + 11)},
+        Small{"kitti", "110x40", "fov", 10 * 3 * 4 * 5},
+        Small{"wide-aspects", "110x40,96x42,96x54,64x48,54x54,54x96", "fov", 48 * 3 * 5},
+        Small{"smoke", "96x54", "fov_base_deg", 8 * 3 * 3}}) {
+    INFO(recipe.name);
+    const cps::TemporaryFolder folder;
+    const fs::path root = folder.path / "dataset";
+    const cps::ProgramRun made = cps::run_cps("generate --recipe " + recipe.name +
+                                              " --scale 1e-6 --conditions_per_scene 1 --samples 2 --size " +
+                                              recipe.sizes + " --out " + root.string());
+    INFO(made.output);
+    REQUIRE(made.exit_status == 0);
+    CHECK(read_as_a_stranger(root, recipe.named_after).images == recipe.images);
+  }
 }

@@ -1,0 +1,56 @@
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+
+#include "cps_program.h"
+#include "street_gltf.h"
+#include "tests/temporary_folder.h"
+
+using namespace cps;
+namespace fs = std::filesystem;
+
+namespace {
+
+int run(const std::string& command) {
+  return std::system(("(" + command + ") >/dev/null 2>&1").c_str());
+}
+
+std::size_t files_in(const fs::path& folder) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) count += !entry.is_directory();
+  return count;
+}
+
+/// The installed program finds a shipped recipe and its rig by name and makes a dataset.
+void check_program(const fs::path& program, const fs::path& folder) {
+  const std::string scene = write_street_gltf(folder).string(), out = (folder / "dataset").string();
+  CHECK(
+      run(program.string() + " generate --recipe kitti --scene " + scene +
+          " --scale 1e-6 --conditions_per_scene 1 --size 96x40 --hfov_deg 70 --lenses 1 --samples 2 --out " +
+          out) == 0);
+  CHECK(run(program.string() + " verify " + out) == 0);
+  CHECK(fs::exists(fs::path(out) / "96x40_hfov070" / "cam2_lens0000"));
+}
+
+}  // namespace
+
+TEST_CASE("what is installed works alone, and uninstalling leaves nothing", "[slow]") {
+  const TemporaryFolder folder;
+  const fs::path prefix = folder.path / "prefix";
+  REQUIRE(run("cmake --install " CPS_BUILD " --component core --prefix " + prefix.string()) == 0);
+  CHECK(!fs::exists(prefix / "bin" / "cps-train"));
+  check_program(prefix / "bin" / "cps", folder.path);
+  REQUIRE(run("cmake -DBUILD=" CPS_BUILD " -P " CPS_SOURCE "/cmake/uninstall.cmake") == 0);
+  CHECK(files_in(prefix) == 0);
+}
+
+TEST_CASE("the .deb of a render node names what it needs, no LibTorch, and works unpacked", "[slow]") {
+  const TemporaryFolder folder;
+  const std::string f = folder.path.string();
+  REQUIRE(run("cd " + f + " && cpack --config " CPS_BUILD "/CPackConfig.cmake -G DEB -B " + f) == 0);
+  const std::string deb = "$(ls " + f + "/cps_*.deb)";
+  REQUIRE(run("dpkg-deb --field " + deb + " Depends | grep libembree3") == 0);
+  REQUIRE(run("dpkg-deb --field " + deb + " Depends | grep torch") != 0);
+  REQUIRE(run("dpkg-deb -x " + deb + " " + f + "/root") == 0);
+  check_program(folder.path / "root" / "usr" / "bin" / "cps", folder.path);
+}
