@@ -22,8 +22,8 @@ namespace {
 /// Master pixels of a small render: enough for stable timings, a second or so.
 constexpr double small_pixels = 150'000;
 
-double cpu_s() {
-  return cps::cpu_s(CLOCK_PROCESS_CPUTIME_ID);
+double process_cpu_s() {
+  return cpu_s(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 std::int64_t peak_bytes() {
@@ -94,9 +94,9 @@ TimedMaster render_timed(const Plan& plan, const PlannedView& view, const Render
                    .max_shaded_vertices = plan.recipe.max_shaded_vertices,
                    .seed = make_stream(view.seed, stream).key});
   };
-  const double before = cpu_s();
+  const double before = process_cpu_s();
   RenderedHalves halves{half("first half"), half("second half")};
-  return {std::move(halves), cpu_s() - before};
+  return {std::move(halves), process_cpu_s() - before};
 }
 
 /// What is measured of full-size views of one size.
@@ -113,22 +113,22 @@ Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     if (!scene.city && !fs::is_regular_file(scene.file))
       throw std::runtime_error("scene: " + scene.file.string() + ": there is no such file");
   }
-  double before = cpu_s();
+  double before = process_cpu_s();
   for (const PlannedScene& scene : scenes)
     if (scene.city) {
       write_city(*scene.city, scene.file);
       pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scenes.size();
     }
-  pilot.scene_cpu_s = (cpu_s() - before) / scenes.size();
-  before = cpu_s();
+  pilot.scene_cpu_s = (process_cpu_s() - before) / scenes.size();
+  before = process_cpu_s();
   double load_s = 0;
   Plan plan = make_plan(recipe, rig, std::move(scenes), [&](const fs::path& file) {
-    const double begin = cpu_s();
+    const double begin = process_cpu_s();
     DrivenScene driven = load_driven_scene(file, drive);
-    load_s += cpu_s() - begin;
+    load_s += process_cpu_s() - begin;
     return driven;
   });
-  pilot.view_plan_cpu_s = (cpu_s() - before - load_s) / static_cast<double>(plan.views.size());
+  pilot.view_plan_cpu_s = (process_cpu_s() - before - load_s) / static_cast<double>(plan.views.size());
   pilot.condition_cpu_s = load_s / static_cast<double>(plan.conditions.size());
   return plan;
 }
@@ -150,11 +150,11 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const PlannedView& view = plan.views[v];
     if (loaded != view.condition) {
       const PlannedCondition& condition = plan.conditions[view.condition];
-      const double before = cpu_s();
+      const double before = process_cpu_s();
       scene.reset();
       scene =
           build_render_scene(load_scene(plan.scenes[condition.scene], plan.recipe), condition.light.daylight);
-      pilot.condition_cpu_s += (cpu_s() - before) / static_cast<double>(plan.conditions.size());
+      pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
       loaded = view.condition;
     }
     put_car(*scene, world_from_vehicle(view.place));
@@ -172,10 +172,10 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const TimedMaster whole = times == 1 ? timed : render_timed(plan, view, *scene, view.master);
     full_s += whole.render_cpu_s;
     foretold_s += view_s;
-    const double before = cpu_s();
+    const double before = process_cpu_s();
     ImageTimes unused;
     const ViewRecord made = make_images(plan, v, whole.halves, scratch.path, unused);
-    of_size.cpu_s += cpu_s() - before;
+    of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     of_size.images += static_cast<int>(made.images.size());
     ++of_size.views;
