@@ -37,18 +37,23 @@ std::string encode_jpeg(const OIIO::ImageBuf& image, int quality) {
 std::string encode_exr(const OIIO::ImageBuf& image) {
   OIIO::ImageSpec spec(image.spec().width, image.spec().height, 3, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else it would be the time of day
   return encode_by_oiio("exr", spec, OIIO::ImageBufAlgo::clamp(image, 0.0f, largest_half));
+}
+
+/// All pixels of an opened file; `name` is for the error.
+OIIO::ImageBuf pixels_of(OIIO::ImageInput* in, OIIO::TypeDesc type, const std::string& name) {
+  if (!in) throw std::runtime_error(name + ": cannot be decoded: " + OIIO::geterror());
+  const OIIO::ImageSpec& spec = in->spec();
+  OIIO::ImageBuf pixels(OIIO::ImageSpec(spec.width, spec.height, spec.nchannels, type));
+  if (!in->read_image(0, 0, 0, spec.nchannels, type, pixels.localpixels()))
+    throw std::runtime_error(name + ": cannot be decoded: " + in->geterror());
+  return pixels;
 }
 
 std::string pixels_sha256_of_file(const char* name, const std::string& bytes, OIIO::TypeDesc type) {
   OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-  const auto in = OIIO::ImageInput::open(name, nullptr, &memory);
-  if (!in) throw std::runtime_error(std::string(name) + ": cannot be read back: " + OIIO::geterror());
-  const OIIO::ImageSpec spec = in->spec();
-  OIIO::ImageBuf pixels(OIIO::ImageSpec(spec.width, spec.height, spec.nchannels, type));
-  if (!in->read_image(0, 0, 0, spec.nchannels, type, pixels.localpixels()))
-    throw std::runtime_error(std::string(name) + ": cannot be read back: " + in->geterror());
-  return pixels_sha256(pixels);
+  return pixels_sha256(pixels_of(OIIO::ImageInput::open(name, nullptr, &memory).get(), type, name));
 }
 
 }  // namespace
@@ -60,11 +65,9 @@ std::string encode_image(const OIIO::ImageBuf& image, ImageFormat format, int jp
 }
 
 OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
-  OIIO::ImageBuf image(file.string());
   const OIIO::TypeDesc type = file.extension() == ".exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8;
-  if (!image.read(0, 0, true, type))
-    throw std::runtime_error(file.string() + ": cannot be decoded: " + image.geterror());
-  return image;
+  // Not through an ImageBuf of that name, which may remember a file that was there before.
+  return pixels_of(OIIO::ImageInput::open(file.string()).get(), type, file.string());
 }
 
 std::string pixels_sha256(const OIIO::ImageBuf& image) {

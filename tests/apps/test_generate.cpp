@@ -118,3 +118,25 @@ TEST_CASE("a drive from a file belongs to one scene, not to drawn cities as well
     CHECK_THAT(run.output, Catch::Contains("--route: needs a recipe with one scene and no city"));
   }
 }
+
+TEST_CASE("every image format verifies, and has the same bytes from one thread and three") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  const std::pair<const char*, const char*> formats[] = {
+      {"png_gray", ".png"}, {"jpeg", ".jpg"}, {"exr", ".exr"}};
+  for (const auto& [format, extension] : formats) {
+    INFO(format);
+    const fs::path one = folder / (std::string(format) + "1"), three = folder / (std::string(format) + "3");
+    const std::string key = " --image_format " + std::string(format);
+    REQUIRE(run_cps(tiny_recipe(scene, one) + key + " --threads 1").exit_status == 0);
+    REQUIRE(run_cps(tiny_recipe(scene, three) + key + " --threads 3").exit_status == 0);
+    CHECK(differences(one, three) == "");
+    CHECK(fs::exists(one / "80x45_hfov060" / "front_lens0000" / ("000000" + std::string(extension))));
+    const ProgramRun verified = run_cps("verify " + one.string());
+    INFO(verified.output);
+    CHECK(verified.exit_status == 0);
+    CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
+    CHECK(run_cps("contact-sheet " + one.string() + " -o " + (folder / "sheet.png").string()).exit_status ==
+          0);
+  }
+}
