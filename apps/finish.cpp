@@ -59,14 +59,8 @@ int cps_finish(const Arguments& arguments) {
   po::variables_map values;
   if (!parse_options(arguments, usage, options, positional, values)) return 0;
   po::notify(values);
-  stop_on_signals();
-  try {
-    return finish(values["dataset"].as<std::string>());
-  } catch (const Interrupted&) {
-    std::cout << values["dataset"].as<std::string>()
-              << ": interrupted; run the same command again to go on\n";
-    return exit_run_again;
-  }
+  const auto& root = values["dataset"].as<std::string>();
+  return run_interruptible(root, [&] { return finish(root); });
 }
 
 }  // namespace cps

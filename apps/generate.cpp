@@ -12,6 +12,7 @@
 #include "apps/recipe_file.h"
 #include "apps/verbs.h"
 #include "dataset/finish.h"
+#include "dataset/gaps.h"
 #include "dataset/group_label.h"
 
 namespace po = boost::program_options;
@@ -53,12 +54,12 @@ Remainder remainder_of(const Plan& plan, const Shard& shard, const fs::path& roo
   Remainder remainder;
   const ViewRange range = views_of(plan, shard);
   for (std::int64_t v = range.begin; v < range.end; ++v) {
-    const auto record = known.views.find(v);
-    const bool is_made = record != known.views.end() && has_its_images(root, record->second);
     const auto images = static_cast<std::int64_t>(plan.views[v].groups.size());
     remainder.images += images;
-    if (is_made) remainder.made_images += images;
-    if (!is_made) remainder.views.push_back(v);
+    if (is_made(root, plan, v, known.views))
+      remainder.made_images += images;
+    else
+      remainder.views.push_back(v);
   }
   return remainder;
 }
@@ -121,7 +122,8 @@ int generate(const po::variables_map& values, int threads) {
 
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("recipe", po::value<std::string>(), "recipe file: key = value lines")(
+  options.add_options()("recipe", po::value<std::string>(),
+                        "recipe file, or the name of one that is installed, as cps-v2")(
       "out", po::value<std::string>()->required(), "the dataset's folder")(
       "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4")(
       "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
@@ -134,13 +136,7 @@ int cps_generate(const Arguments& arguments) {
   const int threads = values["threads"].as<int>();
   if (threads < 1) throw po::error("threads: must be at least 1");
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  stop_on_signals();
-  try {
-    return generate(values, threads);
-  } catch (const Interrupted&) {
-    std::cout << values["out"].as<std::string>() << ": interrupted; run the same command again to go on\n";
-    return exit_run_again;
-  }
+  return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads); });
 }
 
 }  // namespace cps

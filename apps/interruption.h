@@ -1,6 +1,8 @@
 #pragma once
 
 #include <exception>
+#include <functional>
+#include <string>
 
 namespace cps {
 
@@ -13,8 +15,10 @@ struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From now on the first SIGTERM or SIGINT only sets a flag; a second one kills as ever.
-void stop_on_signals();
+/// Does the work and returns its exit status. Meanwhile the first SIGTERM or SIGINT only sets a flag, a
+/// second one kills as ever; where the work gives up for it (Interrupted), says so of `name` and returns
+/// exit_run_again.
+int run_interruptible(const std::string& name, const std::function<int()>& work);
 
 /// Whether such a signal came.
 bool is_interrupted();

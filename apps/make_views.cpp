@@ -7,10 +7,10 @@
 #include <mutex>
 
 #include "apps/condition_scene.h"
-#include "apps/cpu_time.h"
 #include "apps/interruption.h"
 #include "apps/view_images.h"
-#include "renderer/render.h"
+#include "apps/view_render.h"
+#include "renderer/cpu_time.h"
 
 namespace cps {
 namespace {
@@ -92,29 +92,12 @@ class ViewLine {
     auto in_flight = std::make_shared<ViewInFlight>(ViewInFlight{.view = views_[next_++]});
     const PlannedView& view = plan_.views[in_flight->view];
     was_given_up_ = true;  // until it is rendered
-    RenderScene& scene = loaded_.of(plan_, view);
-    put_car(scene, world_from_vehicle(view.place));
-    in_flight->halves = {render_half(view, scene, "first half"), render_half(view, scene, "second half")};
+    in_flight->halves = render_halves(plan_, view, view.master, loaded_.of(plan_, view), [this](int, int) {
+      if (must_stop()) throw Interrupted();
+    });
+    summary_.cpu.render_s += in_flight->halves.cpu_s;
     was_given_up_ = false;
     return in_flight;
-  }
-
-  OIIO::ImageBuf render_half(const PlannedView& view, const RenderScene& scene, const char* stream) {
-    const Camera camera{
-        .world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
-        .pinhole = view.master};
-    RenderSummary rendered;
-    OIIO::ImageBuf half = render(scene, camera,
-                                 {.samples = plan_.recipe.samples / 2,
-                                  .max_shaded_vertices = plan_.recipe.max_shaded_vertices,
-                                  .seed = make_stream(view.seed, stream).key,
-                                  .progress =
-                                      [this](int, int) {
-                                        if (must_stop()) throw Interrupted();
-                                      }},
-                                 &rendered);
-    summary_.cpu.render_s += rendered.cpu_s;
-    return half;
   }
 
   void append(const ViewRecord& record) {

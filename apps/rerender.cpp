@@ -7,10 +7,12 @@
 
 #include "apps/condition_scene.h"
 #include "apps/progress.h"
+#include "apps/view_render.h"
 #include "dataset/files.h"
 #include "dataset/frames.h"
 #include "dataset/image_file.h"
 #include "dataset/label.h"
+#include "renderer/srgb.h"
 #include "sensor/develop.h"
 
 namespace cps {
@@ -37,44 +39,27 @@ std::vector<DrawnImage> draw_images(const Plan& plan, const RerenderOptions& opt
   return images;
 }
 
-float srgb_encoded(float linear) {
-  const float clipped = std::clamp(linear, 0.0f, 1.0f);
-  return clipped <= 0.0031308f ? 12.92f * clipped : 1.055f * std::pow(clipped, 1 / 2.4f) - 0.055f;
-}
-
 /// Brightness as the eye has it, from 0 to 1: of stored pixels, or of linear ones after exposure.
 OIIO::ImageBuf brightness(const OIIO::ImageBuf& image, bool is_linear) {
-  const int channels = image.spec().nchannels;
   OIIO::ImageBuf values;
   values.copy(image, OIIO::TypeDesc::FLOAT);
-  OIIO::ImageBuf result(OIIO::ImageSpec(image.spec().width, image.spec().height, 1, OIIO::TypeDesc::FLOAT));
-  const auto* from = static_cast<const float*>(values.localpixels());
-  auto* to = static_cast<float*>(result.localpixels());
-  for (std::size_t i = 0; i < image.spec().image_pixels(); ++i) {
-    const float* p = from + i * channels;
-    float rgb[3] = {p[0], channels < 3 ? p[0] : p[1], channels < 3 ? p[0] : p[2]};
-    if (is_linear)
-      for (float& value : rgb) value = srgb_encoded(value);
-    to[i] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-  }
-  return result;
+  auto* value = static_cast<float*>(values.localpixels());
+  for (std::size_t i = 0; is_linear && i < values.spec().image_pixels() * values.spec().nchannels; ++i)
+    value[i] = static_cast<float>(srgb_from_linear(std::clamp(value[i], 0.0f, 1.0f)));
+  return values.spec().nchannels == 1 ? values : luminance(values);
 }
 
-Camera camera_of(const PlannedView& view, const Label& label) {
-  return {.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
-          .pinhole = label.camera,
-          .lens = label.distortion};
-}
-
-OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const Label& label, double factor,
-                            RenderScene& scene, const RerenderOptions& options) {
+OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const Label& label,
+                            const FrameRow& frame, RenderScene& scene, const RerenderOptions& options) {
   put_car(scene, world_from_vehicle(view.place));
-  OIIO::ImageBuf image = render(scene, camera_of(view, label),
+  Camera camera = camera_of(view, label.camera);
+  camera.lens = label.distortion;
+  OIIO::ImageBuf image = render(scene, camera,
                                 {.samples = options.samples,
                                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
                                  .seed = make_stream(view.seed, "again").key,
                                  .filter = PixelFilter::gaussian});
-  image = expose(image, factor, {});
+  image = expose(image, frame.exposure, {.exposure_bias_ev = frame.exposure_bias_ev});
   return plan.recipe.image_format == ImageFormat::png_gray ? luminance(image) : image;
 }
 
@@ -87,10 +72,9 @@ std::string fault_of(const Registration& found, const RerenderOptions& options) 
   return "";
 }
 
-/// Exposure and bias of an image, by its line in frames.csv.
-double exposure_of(const std::filesystem::path& root, const std::filesystem::path& file) {
+FrameRow frame_of(const std::filesystem::path& root, const std::filesystem::path& file) {
   for (const FrameRow& row : read_frames_csv(root / file.parent_path() / "frames.csv"))
-    if (row.file == file.filename().string()) return row.exposure * std::exp2(row.exposure_bias_ev);
+    if (row.file == file.filename().string()) return row;
   throw std::runtime_error((root / file).string() + ": is not in frames.csv");
 }
 
@@ -110,7 +94,7 @@ std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const P
     const bool is_linear = plan.recipe.image_format == ImageFormat::exr;
     const OIIO::ImageBuf stored = brightness(read_pixels(root / file), is_linear);
     const OIIO::ImageBuf again = brightness(
-        render_again(plan, view, label, exposure_of(root, file), loaded.of(plan, view), options), true);
+        render_again(plan, view, label, frame_of(root, file), loaded.of(plan, view), options), true);
     RerenderedImage result{.file = file, .registration = register_pictures(again, stored), .fault = {}};
     result.fault = fault_of(result.registration, options);
     images.push_back(result);

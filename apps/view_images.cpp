@@ -6,9 +6,10 @@
 #include <exception>
 #include <vector>
 
-#include "apps/cpu_time.h"
 #include "dataset/files.h"
 #include "dataset/image_file.h"
+#include "distortion/render_noise.h"
+#include "renderer/cpu_time.h"
 #include "sensor/develop.h"
 
 namespace cps {

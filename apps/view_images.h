@@ -3,8 +3,8 @@
 #include <atomic>
 #include <filesystem>
 
+#include "apps/view_render.h"
 #include "dataset/records.h"
-#include "distortion/render_noise.h"
 #include "sampler/plan.h"
 
 namespace cps {
@@ -12,11 +12,6 @@ namespace cps {
 /// CPU nanoseconds that threads spent on the stages after the render.
 struct ImageTimes {
   std::atomic<std::int64_t> warp_ns = 0, develop_ns = 0, encode_ns = 0, write_ns = 0;
-};
-
-/// A view's undistorted, linear, oversampled render, as two halves of its samples.
-struct RenderedHalves {
-  OIIO::ImageBuf first, second;
 };
 
 /// Makes a view's images of its render and writes them, several at a time, each on one thread. The sensor is

@@ -10,13 +10,6 @@
 namespace cps {
 namespace {
 
-bool is_whole(const std::filesystem::path& dataset, const Plan& plan, std::int64_t view,
-              const std::map<std::int64_t, ViewRecord>& records) {
-  const auto record = records.find(view);
-  return record != records.end() && record->second.images.size() == plan.views[view].groups.size() &&
-         has_its_images(dataset, record->second);
-}
-
 std::string line_of(const Plan& plan, const std::vector<std::int64_t>& missing, const Shard& shard) {
   const ViewRange range = views_of(plan, shard);
   const auto first = std::lower_bound(missing.begin(), missing.end(), range.begin);
@@ -30,12 +23,19 @@ std::string line_of(const Plan& plan, const std::vector<std::int64_t>& missing, 
 
 }  // namespace
 
+bool is_made(const std::filesystem::path& dataset, const Plan& plan, std::int64_t view,
+             const std::map<std::int64_t, ViewRecord>& records) {
+  const auto record = records.find(view);
+  return record != records.end() && record->second.images.size() == plan.views[view].groups.size() &&
+         has_its_images(dataset, record->second);
+}
+
 Gaps find_gaps(const std::filesystem::path& dataset, const Plan& plan,
                const std::map<std::int64_t, ViewRecord>& records) {
   Gaps gaps;
   const auto views = static_cast<std::int64_t>(plan.views.size());
   for (std::int64_t v = 0; v < views; ++v)
-    if (!is_whole(dataset, plan, v, records)) gaps.views.push_back(v);
+    if (!is_made(dataset, plan, v, records)) gaps.views.push_back(v);
   if (gaps.views.empty()) return gaps;
   for (std::int64_t count : journalled_shard_counts(dataset))
     for (std::int64_t i = 0; i < count; ++i)

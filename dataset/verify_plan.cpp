@@ -2,8 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "dataset/files.h"
 #include "dataset/frames.h"
@@ -12,16 +14,11 @@
 namespace cps {
 namespace {
 
-/// Fields before this one are the plan's.
-constexpr const char* first_measured_field = "exposure";
-
-std::size_t planned_fields(const std::string& header) {
-  std::size_t fields = 0;
-  for (std::size_t at = 0; header.compare(at, std::string(first_measured_field).size() + 1,
-                                          std::string(first_measured_field) + ",") != 0;
-       ++fields)
-    at = header.find(',', at) + 1;
-  return fields;
+/// How many fields stand before the first that was measured: those are the plan's.
+std::size_t planned_fields(const std::string& header, const std::string& file) {
+  const std::size_t end = header.find(",exposure,");
+  if (end == header.npos) throw std::runtime_error(file + ": exposure: column is missing");
+  return 1 + static_cast<std::size_t>(std::count(header.begin(), header.begin() + end, ','));
 }
 
 /// A line up to and without its `fields`-th comma outside quotes.
@@ -34,12 +31,13 @@ std::string first_fields(const std::string& line, std::size_t fields) {
   return line;
 }
 
-/// The planned part of every line of a frames.csv.
-std::set<std::string> planned_lines(const std::string& csv) {
+/// The planned part of every line of a frames.csv. Throws std::runtime_error, `file` first, when its header
+/// is none.
+std::set<std::string> planned_lines(const std::string& csv, const std::string& file) {
   std::istringstream lines(csv);
   std::string line;
   std::getline(lines, line);
-  const std::size_t fields = planned_fields(line);
+  const std::size_t fields = planned_fields(line, file);
   std::set<std::string> planned;
   while (std::getline(lines, line)) planned.insert(first_fields(line, fields));
   return planned;
@@ -61,8 +59,8 @@ std::vector<std::string> group_faults(const std::filesystem::path& root, const P
     frames.push_back({view, &record, &images.back()});
   }
   const std::string csv = (std::filesystem::path(group.folder) / "frames.csv").string();
-  const std::set<std::string> written = planned_lines(read_file(root / csv));
-  for (const std::string& line : planned_lines(frames_csv(frames)))
+  const std::set<std::string> written = planned_lines(read_file(root / csv), csv);
+  for (const std::string& line : planned_lines(frames_csv(frames), csv))
     if (!written.contains(line))
       faults.push_back(csv + ": " + line.substr(0, line.find(',')) + ": is not what the recipe gives");
   return faults;

@@ -24,6 +24,8 @@ struct LensBounds {
 bool is_within(const LensBounds& bounds, const Distortion& lens, const Eigen::AlignedBox2d& rectangle);
 
 enum class Coefficient { k1, k2, k3, p1, p2 };
+inline constexpr Coefficient all_coefficients[] = {Coefficient::k1, Coefficient::k2, Coefficient::k3,
+                                                   Coefficient::p1, Coefficient::p2};
 double& coefficient(Distortion& lens, Coefficient which);
 double coefficient(const Distortion& lens, Coefficient which);
 

@@ -1,20 +1,18 @@
 #include "renderer/tiles.h"
 
 #include <tbb/parallel_for.h>
-#include <time.h>
 
 #include <atomic>
 #include <mutex>
 
+#include "renderer/cpu_time.h"
 #include "renderer/flush_denormals.h"
 
 namespace cps {
 namespace {
 
 double thread_cpu_s() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  return cpu_s(CLOCK_THREAD_CPUTIME_ID);
 }
 
 }  // namespace

@@ -96,9 +96,7 @@ DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, c
                         .base;
   const double unit = half_diagonal(lens.base);
   lens.distortion = rescaled(lens.distortion, 1 / unit);
-  constexpr Coefficient coefficients[] = {Coefficient::k1, Coefficient::k2, Coefficient::k3, Coefficient::p1,
-                                          Coefficient::p2};
-  for (Coefficient which : coefficients)
+  for (Coefficient which : all_coefficients)
     if (auto& limits = lens.limits[static_cast<int>(which)]) limits = rescaled(*limits, which, 1 / unit);
   lens.crop = border_free_crop(lens.distortion, lens.base, principal_point, crop_options(options));
   return lens;

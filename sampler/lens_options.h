@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,8 +26,7 @@ Coefficient coefficient_from_string(const std::string& word);
 
 /// Which coefficients the sequential scheme draws, and between what, beyond what LensBounds say.
 struct CoefficientChoice {
-  std::vector<Coefficient> drawn{Coefficient::k1, Coefficient::k2, Coefficient::k3, Coefficient::p1,
-                                 Coefficient::p2};           ///< the others are 0
+  std::vector<Coefficient> drawn{std::begin(all_coefficients), std::end(all_coefficients)};  ///< others are 0
   double k1_min = -std::numeric_limits<double>::infinity();  ///< as in a label: on the plane z = 1
   double k1_max = std::numeric_limits<double>::infinity();
   bool has_k1_range() const;

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "apps/cpu_time.h"
+#include "apps/condition_scene.h"
 #include "apps/scene_files.h"
 #include "apps/view_images.h"
-#include "renderer/render.h"
+#include "renderer/cpu_time.h"
 #include "sampler/plan.h"
 
 namespace fs = std::filesystem;
@@ -79,26 +79,6 @@ double pixels(const Pinhole& camera) {
   return static_cast<double>(camera.width) * camera.height;
 }
 
-struct TimedMaster {
-  RenderedHalves halves;
-  double render_cpu_s = 0;
-};
-
-TimedMaster render_timed(const Plan& plan, const PlannedView& view, const RenderScene& scene,
-                         const Pinhole& pinhole) {
-  const Camera camera{.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
-                      .pinhole = pinhole};
-  const auto half = [&](const char* stream) {
-    return render(scene, camera,
-                  {.samples = plan.recipe.samples / 2,
-                   .max_shaded_vertices = plan.recipe.max_shaded_vertices,
-                   .seed = make_stream(view.seed, stream).key});
-  };
-  const double before = process_cpu_s();
-  RenderedHalves halves{half("first half"), half("second half")};
-  return {std::move(halves), process_cpu_s() - before};
-}
-
 /// What is measured of full-size views of one size.
 struct FullSize {
   int wanted = 1, views = 0, images = 0;
@@ -109,17 +89,11 @@ struct FullSize {
 Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& folder,
                 Pilot& pilot) {
   std::vector<PlannedScene> scenes = plan_scenes(recipe, folder);
-  for (const PlannedScene& scene : scenes) {
-    if (!scene.city && !fs::is_regular_file(scene.file))
-      throw std::runtime_error("scene: " + scene.file.string() + ": there is no such file");
-  }
   double before = process_cpu_s();
-  for (const PlannedScene& scene : scenes)
-    if (scene.city) {
-      write_city(*scene.city, scene.file);
-      pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scenes.size();
-    }
+  make_scene_files(scenes, folder);
   pilot.scene_cpu_s = (process_cpu_s() - before) / scenes.size();
+  for (const PlannedScene& scene : scenes)
+    if (scene.city) pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scenes.size();
   before = process_cpu_s();
   double load_s = 0;
   Plan plan = make_plan(recipe, rig, std::move(scenes), [&](const fs::path& file) {
@@ -144,24 +118,16 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   std::vector<std::vector<double>> sum(plan.conditions.size(), std::vector<double>(plan.sets.size(), 0));
   std::vector<std::vector<int>> count(plan.conditions.size(), std::vector<int>(plan.sets.size(), 0));
   double foretold_s = 0, full_s = 0;
-  std::shared_ptr<RenderScene> scene;
-  int loaded = -1;
+  ConditionScene loaded;
   for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
     const PlannedView& view = plan.views[v];
-    if (loaded != view.condition) {
-      const PlannedCondition& condition = plan.conditions[view.condition];
-      const double before = process_cpu_s();
-      scene.reset();
-      scene =
-          build_render_scene(load_scene(plan.scenes[condition.scene], plan.recipe), condition.light.daylight);
-      pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
-      loaded = view.condition;
-    }
-    put_car(*scene, world_from_vehicle(view.place));
+    double before = process_cpu_s();
+    RenderScene& scene = loaded.of(plan, view);
+    pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
     const Pinhole small = smaller(view.master, times);
-    const TimedMaster timed = render_timed(plan, view, *scene, small);
-    const double view_s = timed.render_cpu_s * pixels(view.master) / pixels(small);
+    const RenderedHalves reduced = render_halves(plan, view, small, scene);
+    const double view_s = reduced.cpu_s * pixels(view.master) / pixels(small);
     sum[view.condition][view.set] += view_s;
     ++count[view.condition][view.set];
     ++pilot.views;
@@ -169,12 +135,12 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     // At full size: of each size a view of its middle H-FOV in each of the first conditions.
     FullSize& of_size = full[plan.sets[view.set].size];
     if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
-    const TimedMaster whole = times == 1 ? timed : render_timed(plan, view, *scene, view.master);
-    full_s += whole.render_cpu_s;
+    const RenderedHalves whole = times == 1 ? reduced : render_halves(plan, view, view.master, scene);
+    full_s += whole.cpu_s;
     foretold_s += view_s;
-    const double before = process_cpu_s();
+    before = process_cpu_s();
     ImageTimes unused;
-    const ViewRecord made = make_images(plan, v, whole.halves, scratch.path, unused);
+    const ViewRecord made = make_images(plan, v, whole, scratch.path, unused);
     of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     of_size.images += static_cast<int>(made.images.size());

@@ -3,12 +3,12 @@
 
 #include <iostream>
 
+#include "apps/dataset_job.h"
 #include "apps/drive_options.h"
 #include "apps/options.h"
 #include "apps/plan/bill.h"
 #include "apps/recipe_file.h"
 #include "apps/verbs.h"
-#include "sampler/rig_file.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -58,19 +58,15 @@ int cps_plan(const Arguments& arguments) {
   if (threads < 1) throw po::error("--threads: must be at least 1");
 
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const Recipe recipe = recipe_from(values);
-  const fs::path recipe_folder =
-      values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
-  const Rig rig = find_rig(recipe.rig, recipe_folder);
-  const DriveOptions drive = drive_options_from(values, recipe);
+  const DatasetJob job = job_from_flags(values, resources.folder);
   resources.free_bytes = free_bytes(resources.folder);
-  const RecipeCounts counts = count_out(recipe, static_cast<int>(rig.cameras.size()));
-  const Pilot pilot = run_pilot(recipe, rig, drive, conditions);
-  const Bill bill = bill_of(recipe, counts, pilot);
+  const RecipeCounts counts = count_out(job.recipe, static_cast<int>(job.rig.cameras.size()));
+  const Pilot pilot = run_pilot(job.recipe, job.rig, job.drive, conditions);
+  const Bill bill = bill_of(job.recipe, counts, pilot);
   if (values.count("json") > 0)
-    std::cout << to_json(recipe, bill, pilot, resources).dump(1) << "\n";
+    std::cout << to_json(job.recipe, bill, pilot, resources).dump(1) << "\n";
   else
-    std::cout << to_text(recipe, bill, pilot, resources);
+    std::cout << to_text(job.recipe, bill, pilot, resources);
   return 0;
 }
 
