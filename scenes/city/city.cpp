@@ -233,7 +233,8 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
 
   const Traffic traffic = draw_traffic(network, lanes, districts, models, options);
   for (const PlacedModel& vehicle : traffic.vehicles) stand(writer, vehicle, terrain);
-  summary.in_traffic = traffic.vehicles.size();
+  for (const PlacedModel& cyclist : traffic.on_tracks) stand(writer, cyclist, terrain);
+  summary.in_traffic = traffic.vehicles.size() + traffic.on_tracks.size();
   for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
   summary.style = options.style;
   summary.streets = network.streets.size();

@@ -13,12 +13,15 @@ struct OccupiedStretch {
 };
 
 struct Traffic {
-  std::vector<PlacedModel> vehicles;
+  std::vector<PlacedModel> vehicles;                   ///< on lanes
+  std::vector<std::size_t> at_stops;                   ///< those of them that are buses at their stops
+  std::vector<PlacedModel> on_tracks;                  ///< cyclists beside the lanes
   std::vector<std::vector<OccupiedStretch>> occupied;  ///< by lane, ascending: one for each vehicle
 };
 
 /// Queues before stop lines and single vehicles elsewhere, on the lanes between junctions: none on a crossing
-/// or past a stop line, each within its lane. Denser by style (the district's) and by `options.traffic`.
+/// or past a stop line, each within its lane; buses at their stops, as near to the kerb as they get; cyclists
+/// on the carriageway's cycle tracks. Denser by style (the district's) and by `options.traffic`.
 Traffic draw_traffic(const StreetNetwork& network, const std::vector<DrivingLane>& lanes,
                      const Districts& districts, const ModelLibrary& models, const CityOptions& options);
 
