@@ -32,10 +32,8 @@ int finish(const fs::path& root) {
   }
   DatasetJob job = job_of_folder(root);
   const FileLock folder(folder_lock(root), FileLock::Kind::exclusive);
-  if (!folder.is_held()) {
-    std::cerr << name << ": other processes still work there; run it again when they are done\n";
-    return exit_run_again;
-  }
+  if (!folder.is_held())
+    throw HeldByAnother(name + ": other processes still work there; run it again when they are done");
   prepare_scenes(job, root);
   const Plan plan = plan_of(job);
   const JournalLines journals = read_journals(root);

@@ -28,7 +28,8 @@ constexpr const char* usage =
     "Run it again after an interruption and it finishes the job; a finished job is left alone. With --shard "
     "it "
     "makes one of N shares of the images, and cps finish makes a dataset of them when all are there.\n"
-    "Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT: run it again.\n";
+    "Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT, or another "
+    "process makes the same: run it again.\n";
 
 Shard shard_from(const po::variables_map& values) {
   if (values.count("shard") == 0) return {};
@@ -97,7 +98,7 @@ int generate(const po::variables_map& values, int threads) {
   const Plan plan = plan_of(job);
 
   FileLock folder(folder_lock(root), FileLock::Kind::shared);
-  if (!folder.is_held()) throw std::runtime_error(name + ": is just being finished by another process");
+  if (!folder.is_held()) throw HeldByAnother(name + ": is just being finished by another process");
   begin_job(root, job.text);
   Journal journal(root, shard);
   std::cout << name << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "

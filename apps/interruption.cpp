@@ -5,6 +5,8 @@
 #include <atomic>
 #include <iostream>
 
+#include "dataset/file_lock.h"
+
 namespace cps {
 namespace {
 
@@ -26,6 +28,9 @@ int run_interruptible(const std::string& name, const std::function<int()>& work)
     return work();
   } catch (const Interrupted&) {
     std::cout << name << ": interrupted; run the same command again to go on\n";
+    return exit_run_again;
+  } catch (const HeldByAnother& error) {
+    std::cerr << "cps: " << error.what() << "\n";
     return exit_run_again;
   }
 }

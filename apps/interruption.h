@@ -17,7 +17,7 @@ struct Interrupted : std::exception {
 
 /// Does the work and returns its exit status. Meanwhile the first SIGTERM or SIGINT only sets a flag, a
 /// second one kills as ever; where the work gives up for it (Interrupted), says so of `name` and returns
-/// exit_run_again.
+/// exit_run_again. So it does where another process holds what the work needs (HeldByAnother).
 int run_interruptible(const std::string& name, const std::function<int()>& work);
 
 /// Whether such a signal came.

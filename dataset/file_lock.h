@@ -1,8 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace cps {
+
+/// Thrown where work cannot be done now because another process holds what it needs: to be tried again later.
+struct HeldByAnother : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A lock on a file (flock), made if it is not there, that goes with the process that holds it, however that
 /// ends. Linux passes it on to the server of an NFS share, so it holds between machines too, unless the share

@@ -103,8 +103,8 @@ bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
 Journal::Journal(const fs::path& dataset, const Shard& shard)
     : file_(journal_file(dataset, shard)), lock_(file_, FileLock::Kind::exclusive) {
   if (!lock_.is_held())
-    throw std::runtime_error(dataset.string() + ": shard " + to_string(shard) +
-                             " is being made by another process; wait for it or choose another shard");
+    throw HeldByAnother(dataset.string() + ": shard " + to_string(shard) +
+                        " is being made by another process; wait for it or choose another shard");
   const std::string text = read_file(file_);
   if (ftruncate(lock_.descriptor(), static_cast<off_t>(length_of_lines(text))) != 0)
     throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));

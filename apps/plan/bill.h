@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "apps/plan/pilot.h"
 #include "sampler/recipe_counts.h"
@@ -16,6 +17,8 @@ struct Bill {
   double core_h = 0;             ///< the sum of these
   double core_h_error = 0;       ///< its standard error, by how conditions differ, or views if that says more
   double view_cpu_s_spread = 0;  ///< standard deviation of a view's render over its mean, within its set
+  /// Of each set, in the plan's order: size by size, H-FOV by H-FOV. Without scenes and places.
+  std::vector<double> set_images_per_core_h = {};
   double image_bytes = 0, scene_bytes = 0;  ///< on disk
   std::int64_t peak_bytes = 0;              ///< of memory, of one process
 };

@@ -40,6 +40,9 @@ TEST_CASE("what is installed works alone, and uninstalling leaves nothing", "[sl
   REQUIRE(run("cmake --install " CPS_BUILD " --component core --prefix " + prefix.string()) == 0);
   CHECK(!fs::exists(prefix / "bin" / "cps-train"));
   check_program(prefix / "bin" / "cps", folder.path);
+  CHECK(run((prefix / "bin" / "cps-slurm").string() +
+            " 4 -- --recipe demo 2>&1 | grep -e '--out is missing'") == 0);
+  CHECK(fs::exists(prefix / "share" / "cps" / "slurm" / "cps-array.sbatch"));
   REQUIRE(run("cmake -DBUILD=" CPS_BUILD " -P " CPS_SOURCE "/cmake/uninstall.cmake") == 0);
   CHECK(files_in(prefix) == 0);
 }

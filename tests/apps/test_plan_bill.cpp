@@ -29,6 +29,13 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   CHECK(double(bill.at("cost")) == Approx(all * 0.5));
   CHECK(double(bill.at("image_bytes")) > 400 * 1000.0);
   CHECK(bill.at("fits_disk") == true);
+
+  // A set takes its images over its rate: together, what rendering and making takes.
+  const std::vector<double> rates = bill.at("set_images_per_core_h"), images = {120, 120, 80, 80};
+  REQUIRE(rates.size() == images.size());
+  double hours = 0;
+  for (std::size_t set = 0; set < rates.size(); ++set) hours += images[set] / rates[set];
+  CHECK(hours == Approx(double(bill.at("render_core_h")) + double(bill.at("images_core_h"))));
 }
 
 TEST_CASE("plan refuses what it cannot reckon with, in one line") {

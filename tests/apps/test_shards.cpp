@@ -112,7 +112,7 @@ TEST_CASE("a shard that another process makes is refused; overlapping ones do no
   {
     const FileLock held(out / ".cps" / "journal_1_of_3.jsonl", FileLock::Kind::exclusive);
     const ProgramRun refused = run_cps(tiny_recipe(scene, out) + " --shard 1/3");
-    CHECK(refused.exit_status == 1);
+    CHECK(refused.exit_status == 75);
     CHECK_THAT(refused.output, Catch::Contains("shard 1/3 is being made by another process"));
     const FileLock working(folder_lock(out), FileLock::Kind::shared);
     const ProgramRun busy = run_cps("finish " + out.string());
