@@ -66,6 +66,37 @@ TEST_CASE("traffic circles a roundabout anticlockwise, clear of its island and o
   CHECK(ways > 100);
 }
 
+TEST_CASE(
+    "where wide streets meet a roundabout has two lanes, and who comes from the inner one keeps inside") {
+  int inner = 0, outer = 0;
+  for (const CityStyle style : all_styles)
+    for (std::uint64_t seed = 0; seed < 16; ++seed) {
+      const StreetNetwork network = network_of(style, seed);
+      const std::vector<DrivingLane> lanes = driving_lanes(network);
+      for (const DrivingLane& lane : lanes) {
+        for (const int next : lane.next) {
+          const DrivingLane& way = lanes[next];
+          if (way.junction < 0 || !network.junctions[way.junction].roundabout) continue;
+          const Roundabout& r = *network.junctions[way.junction].roundabout;
+          const StreetProfile& p = network.streets[lane.street].profile;
+          const int beside = lane.backward ? p.lanes_backward : p.lanes_forward;
+          CHECK(beside <= r.lanes);
+          if (r.lanes < 2) continue;
+          double nearest = 1e9;
+          for (double s = 0; s < length(way.points); s += 0.25)
+            nearest = std::min(
+                nearest, (station_at(way.points, s).point - network.junctions[way.junction].position).norm());
+          const double edge = lane.backward ? p.edge_left_m() : p.edge_right_m();
+          const bool at_kerb = lane.right_kerb_m < lane.width_m / 2 + edge + 0.01;
+          ++(at_kerb ? outer : inner);
+          CHECK(nearest > r.lane_radius_m(at_kerb ? 0 : 1) - 0.1);
+        }
+      }
+    }
+  CHECK(inner > 5);
+  CHECK(outer > 20);
+}
+
 TEST_CASE("at a roundabout every arm that is left leads to every arm that is entered") {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const StreetNetwork network = network_of(CityStyle::suburb, seed);

@@ -1,9 +1,11 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "scenes/city/geometry/nearest_station.h"
 #include "scenes/city/streets/cycle_tracks.h"
 #include "scenes/city/streets/driving_lanes.h"
 #include "scenes/city/streets/median.h"
+#include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/street_profiles.h"
 #include "scenes/city/streets/tram_tracks.h"
 
@@ -47,6 +49,36 @@ TEST_CASE("bays, cycle tracks, lanes and median lie side by side from kerb to ke
   CHECK(cycles > 50);
   CHECK(medians > 20);
   CHECK(trams > 20);
+}
+
+TEST_CASE("crossings of streets with a median have refuges, clear of lanes and of the crossing itself") {
+  int noses = 0;
+  for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const StreetNetwork network = draw_street_network({.seed = seed, .style = style, .extent_m = 500});
+      const std::vector<DrivingLane> lanes = driving_lanes(network);
+      for (const Street& street : network.streets)
+        for (const int s : street.segments)
+          for (const bool at_end : {false, true}) {
+            const Approach a = approach(network, s, at_end, seed);
+            const Polygon nose = refuge_nose(network, s, at_end, seed);
+            CHECK(nose.empty() == (street.profile.median_m == 0 || !a.crossing));
+            if (nose.empty()) continue;
+            ++noses;
+            CHECK(signed_area(nose) > 0.4);
+            const Segment& segment = network.segments[s];
+            for (const Vec2& corner : nose) {
+              const double station = nearest_station(segment.centre, corner);
+              CHECK((at_end ? length(segment.centre) - segment.cut_to - station
+                            : station - segment.cut_from) < a.crossing_from_m - 0.1);
+              for (const DrivingLane& lane : lanes)
+                if (distance_to_line(lane.points, corner) < lane.width_m / 2 + 0.05)
+                  FAIL_CHECK("over a lane by " << lane.width_m / 2 - distance_to_line(lane.points, corner));
+            }
+          }
+    }
+  CHECK(noses > 20);
 }
 
 TEST_CASE("tram tracks lie in the innermost lanes, run with the traffic and keep their gauge") {

@@ -169,9 +169,12 @@ class JunctionLinks {
     lane.street = lanes[in].street;
     lane.width_m = std::min(lanes[in].width_m, lanes[out].width_m);
     const Junction& crossed = network.junctions[junction];
-    lane.points = crossed.roundabout ? roundabout_way(*crossed.roundabout, crossed.position,
-                                                      {from.point, from.direction}, {to.point, to.direction})
-                                     : turn(from, to, kerb + room);
+    const std::vector<int>& beside = by_segment[lanes[in].segment][lanes[in].backward];
+    const auto from_kerb = static_cast<int>(std::find(beside.begin(), beside.end(), in) - beside.begin());
+    lane.points = crossed.roundabout
+                      ? roundabout_way(*crossed.roundabout, crossed.position, {from.point, from.direction},
+                                       {to.point, to.direction}, from_kerb)
+                      : turn(from, to, kerb + room);
     lane.next = {out};
     lane.junction = junction;
     lanes[in].next.push_back(static_cast<int>(lanes.size()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
@@ -81,6 +82,19 @@ void add_through_lines(Surface& paint, const StreetNetwork& network, const Junct
     }
 }
 
+/// Between the two lanes of a wide roundabout.
+void add_ring_line(Surface& paint, const Junction& junction) {
+  constexpr int pieces = 72;
+  const Roundabout& ring = *junction.roundabout;
+  const double radius_m = (ring.outer_m + ring.island_m) / 2;
+  Polyline circle;
+  for (int i = 0; i <= pieces; ++i) {
+    const double a = 2 * std::numbers::pi * i / pieces;
+    circle.push_back(junction.position + radius_m * Vec2(std::cos(a), std::sin(a)));
+  }
+  add_dashes(paint, circle, 1, 2, line_width_m);
+}
+
 }  // namespace
 
 Mesh junction_details(const StreetNetwork& network, int index, const std::vector<DrivingLane>& lanes,
@@ -95,6 +109,7 @@ Mesh junction_details(const StreetNetwork& network, int index, const std::vector
   Surface paint;
   if (!junction.roundabout && guided) add_turn_guides(paint, network, index, lanes);
   if (!junction.roundabout && lined) add_through_lines(paint, network, junction);
+  if (junction.roundabout && junction.roundabout->lanes > 1) add_ring_line(paint, junction);
   if (!paint.indices.empty()) mesh.surfaces[materials.road_paint] = std::move(paint);
   add_junction_wear(mesh, border, junction.position, junction.roundabout ? junction.roundabout->island_m : 0,
                     materials, wear, draws);

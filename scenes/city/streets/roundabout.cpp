@@ -88,12 +88,22 @@ std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junc
   r.fillet_m = draws.uniform(6, 9);
   const Junction& j = network.junctions[junction];
   if (!wanted || j.arms.size() < 3) return std::nullopt;
+  if (std::any_of(j.arms.begin(), j.arms.end(), [&](const Side& arm) {
+        return network.is_road(arm) &&
+               std::max(network.profile(arm).lanes_forward, network.profile(arm).lanes_backward) == 2;
+      })) {
+    constexpr double second_lane_m = 3.4;
+    r.lanes = 2;
+    r.outer_m += second_lane_m + 1;
+    r.island_m += 1;
+    r.fillet_m += 1;
+  }
   for (std::size_t i = 0; i < j.arms.size(); ++i) {
     const Side arm = j.arms[i], next = j.arms[(i + 1) % j.arms.size()];
     if (!network.is_road(arm) || network.junctions[network.end(arm)].roundabout) return std::nullopt;
     const StreetProfile& p = network.profile(arm);
     const double cut_m = roundabout_cut_m(r, p.half_width());
-    if (p.lanes_forward > 1 || p.lanes_backward > 1 ||
+    if (std::max(p.lanes_forward, p.lanes_backward) > 2 || p.median_m > 0 || p.tram_tracks ||
         cut_m > 0.33 * length(network.segments[arm.segment].centre))
       return std::nullopt;
     if (!network.is_road(next)) return std::nullopt;
@@ -127,14 +137,20 @@ Polyline around_roundabout(const Roundabout& r, const Vec2& middle, const Polyli
   return line;
 }
 
-Polyline roundabout_way(const Roundabout& r, const Vec2& middle, const Station& from, const Station& to) {
+Polyline roundabout_way(const Roundabout& r, const Vec2& middle, const Station& from, const Station& to,
+                        int lane) {
   constexpr double step_rad = 0.1;
-  const double ring_m = (r.outer_m + r.island_m) / 2;
+  const double ring_m = r.lane_radius_m(std::min(lane, r.lanes - 1));
   // Right into the ring, left around it, right out of it.
-  const Fillet in = fillet_to_ring(middle, ring_m, from.point, from.direction, -left_of(from.direction),
-                                   r.fillet_m),
-               out = fillet_to_ring(middle, ring_m, to.point, -to.direction, -left_of(to.direction),
-                                    r.fillet_m);
+  const auto fillet_from = [&](const Vec2& end, const Vec2& on, const Vec2& aside) {
+    // The widest curve that does not begin before the lane's end.
+    const double lateral = aside.dot(end - middle), room = on.dot(middle - end);
+    const double widest =
+        (room * room + lateral * lateral - ring_m * ring_m) / (2 * std::max(1e-3, ring_m - lateral));
+    return fillet_to_ring(middle, ring_m, end, on, aside, std::min(r.fillet_m, widest));
+  };
+  const Fillet in = fillet_from(from.point, from.direction, -left_of(from.direction)),
+               out = fillet_from(to.point, -to.direction, -left_of(to.direction));
   double around = sweep(middle, in.on_ring, out.on_ring);
   if (around < 0) around += 2 * pi;
   Polyline way{from.point};
@@ -173,6 +189,10 @@ Mesh island(const Roundabout& r, const Vec2& middle, const Materials& m) {
     const double outer = k / 4.0, inner = (k - 1) / 4.0;
     ring(m.grass, lawn * outer, mound(outer), lawn * inner, mound(inner), grass_tile_m);
   }
+  Surface& grass = mesh.surfaces[m.grass];
+  for (std::size_t i = 0; i < grass.positions.size(); ++i)  // painted from above: blades do not fan out
+    grass.uvs[i] =
+        Eigen::Vector2f(grass.positions[i].x(), grass.positions[i].z()) / static_cast<float>(grass_tile_m);
   return mesh;
 }
 

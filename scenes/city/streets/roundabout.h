@@ -6,7 +6,8 @@
 #include "scenes/city/materials/materials.h"
 #include "scenes/city/streets/street_network.h"
 
-/// Roundabouts with one lane around a kerbed island; traffic circles anticlockwise, seen from above.
+/// Roundabouts with one lane, or two where wide streets meet, around a kerbed island; traffic circles
+/// anticlockwise, seen from above.
 namespace cps::city {
 
 /// How many of the junctions with room for one a city of that style makes roundabouts: often none.
@@ -24,9 +25,10 @@ double roundabout_cut_m(const Roundabout& roundabout, double half_width_m);
 Polyline around_roundabout(const Roundabout& roundabout, const Vec2& middle, const Polyline& arriving,
                            const Polyline& leaving, double inset_m);
 
-/// The way of a vehicle from the end of one lane around to the start of another.
+/// The way of a vehicle from the end of one lane around to the start of another, on the ring's `lane` (from
+/// the outer kerb).
 Polyline roundabout_way(const Roundabout& roundabout, const Vec2& middle, const Station& from,
-                        const Station& to);
+                        const Station& to, int lane);
 
 /// The island: a kerb, a paved ring, grass that rises to the middle.
 Mesh island(const Roundabout& roundabout, const Vec2& middle, const Materials& materials);

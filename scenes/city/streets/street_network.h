@@ -20,8 +20,9 @@ struct StreetProfile {
   bool centre_line = true;  ///< quiet streets have none
   /// Cycle tracks on the carriageway, between the parking bays (or the kerb) and the lanes.
   double cycle_left_m = 0, cycle_right_m = 0;
-  double median_m = 0;       ///< a kerbed strip between the directions
-  bool tram_tracks = false;  ///< in the innermost lane of each direction
+  double pavement_cycle_m = 0;  ///< width of cycle tracks on the pavements
+  double median_m = 0;          ///< a kerbed strip between the directions
+  bool tram_tracks = false;     ///< in the innermost lane of each direction
 
   double half_width() const {
     return (edge_left_m() + edge_right_m() + median_m + (lanes_forward + lanes_backward) * lane_width_m) / 2;
@@ -64,10 +65,14 @@ struct Side {
   bool operator==(const Side&) const = default;
 };
 
-/// A ring of one lane around an island, by the radii of its outer kerb and of the island's; the streets'
-/// kerbs run into it in curves of `fillet_m`.
+/// A ring of one or two lanes around an island, by the radii of its outer kerb and of the island's; the
+/// streets' kerbs run into it in curves of `fillet_m`.
 struct Roundabout {
   double outer_m = 15, island_m = 9, fillet_m = 8;
+  int lanes = 1;
+
+  /// Radius of the middle of a lane, counted from the outer kerb.
+  double lane_radius_m(int lane) const { return outer_m - (lane + 0.5) * (outer_m - island_m) / lanes; }
 };
 
 struct Junction {
