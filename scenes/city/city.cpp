@@ -12,9 +12,11 @@
 #include "scenes/city/materials/textures.h"
 #include "scenes/city/roadside/model_library.h"
 #include "scenes/city/roadside/overhead.h"
+#include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/roadside/traffic.h"
+#include "scenes/city/roadside/tram_wires.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/streets/cycle_tracks.h"
 #include "scenes/city/streets/driving_lanes.h"
@@ -90,10 +92,14 @@ void add_street(GlbWriter& writer, const StreetNetwork& network, int index, cons
   add_ground(writer, carriageway(network, index, materials, options.seed), "street " + name, terrain);
   add_ground(writer, road_markings(network, index, materials, options.seed), "markings " + name, terrain);
   add_ground(writer, cycle_tracks(network, index, materials, options.seed), "cycle tracks " + name, terrain);
+  add_ground(writer, pavement_tracks(network, index, materials, options), "pavement tracks " + name, terrain);
   add_ground(writer, median(network, index, materials, options.seed), "median " + name, terrain);
-  Mesh wires = overhead_wires(network, index, materials, options);
-  lift_onto(wires, terrain);
-  add_static(writer, std::move(wires), "wires " + name);
+  for (Mesh wires :
+       {overhead_wires(network, index, materials, options), tram_wires(network, index, materials, options)}) {
+    lift_onto(wires, terrain);
+    const std::string own_name = wires.name;
+    add_static(writer, std::move(wires), own_name);
+  }
 }
 
 void add_junction(GlbWriter& writer, const StreetNetwork& network, int index,
@@ -103,8 +109,8 @@ void add_junction(GlbWriter& writer, const StreetNetwork& network, int index,
   const std::string name = "junction " + std::to_string(index);
   add_ground(writer, junction_floor(network, index, materials, seed), name, terrain);
   add_ground(writer, junction_details(network, index, lanes, materials, seed), name + " details", terrain);
-  if (junction.roundabout)
-    add_ground(writer, island(*junction.roundabout, junction.position, materials), name + " island", terrain);
+  if (!junction.roundabout) return;
+  add_ground(writer, island(*junction.roundabout, junction.position, materials), name + " island", terrain);
 }
 
 void add_building(GlbWriter& writer, const BuildingPlan& plan, const Materials& materials,
@@ -141,7 +147,7 @@ void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const
 
 /// What has wheels or lies flat leans with the slope; everything else stands upright.
 bool leans(ModelKind kind) {
-  return kind == ModelKind::car || kind == ModelKind::goods;
+  return kind == ModelKind::car || kind == ModelKind::cyclist || kind == ModelKind::goods;
 }
 
 void stand(GlbWriter& writer, const PlacedModel& p, const Terrain& terrain) {
@@ -160,6 +166,9 @@ void place(GlbWriter& writer, const std::vector<PlacedModel>& placed, const Terr
         break;
       case ModelKind::car:
         ++summary.cars;
+        break;
+      case ModelKind::cyclist:
+        ++summary.in_traffic;
         break;
       case ModelKind::person:
         ++summary.people;
@@ -234,7 +243,7 @@ CitySummary write_city(const CityOptions& options, const std::filesystem::path& 
   const Traffic traffic = draw_traffic(network, lanes, districts, models, options);
   for (const PlacedModel& vehicle : traffic.vehicles) stand(writer, vehicle, terrain);
   for (const PlacedModel& cyclist : traffic.on_tracks) stand(writer, cyclist, terrain);
-  summary.in_traffic = traffic.vehicles.size() + traffic.on_tracks.size();
+  summary.in_traffic += traffic.vehicles.size() + traffic.on_tracks.size();
   for (const DrivingLane& lane : lanes) summary.lane_km += length(lane.points) / 1000;
   summary.style = options.style;
   summary.streets = network.streets.size();

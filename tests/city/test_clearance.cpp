@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/streets/driving_lanes.h"
@@ -119,6 +120,36 @@ TEST_CASE("nothing stands in anything else, in any style") {
         }
       }
     }
+}
+
+TEST_CASE("cycle tracks on pavements leave room to walk, and only cyclists are on them") {
+  int tracks = 0, riders = 0;
+  for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const City city{{.seed = seed, .style = style, .extent_m = 400}};
+      for (int b = 0; b < static_cast<int>(city.network.blocks.size()); ++b) {
+        const BlockPlan plan = city.plan(b);
+        const std::vector<PlacedModel> placed = city.furniture(b, plan);
+        const std::vector<Side>& sides = city.network.blocks[b].sides;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+          if (!city.network.is_road(sides[i])) continue;
+          const KerbSide kerb = kerb_side(city.network, sides[i], plan.pavement_m[i], city.options);
+          const Polyline track = pavement_track(city.network, kerb);
+          if (track.empty()) continue;
+          ++tracks;
+          const double half = city.network.profile(sides[i]).pavement_cycle_m / 2;
+          CHECK(pavement_track_inset_m + 2 * half + 0.9 < plan.pavement_m[i]);
+          for (const PlacedModel& p : placed) {
+            if (distance(track, p.footprint()) > half - 0.03) continue;
+            CHECK(p.model->name == "cyclist");
+            ++riders;
+          }
+        }
+      }
+    }
+  CHECK(tracks > 30);
+  CHECK(riders > 30);
 }
 
 TEST_CASE("each style has what it is named for") {

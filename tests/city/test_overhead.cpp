@@ -4,7 +4,9 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/roadside/overhead.h"
 #include "scenes/city/roadside/signals.h"
+#include "scenes/city/roadside/tram_wires.h"
 #include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/tram_tracks.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -53,6 +55,44 @@ TEST_CASE("wires hang between masts on the pavements, above everything that driv
     CHECK(masts > 30);
     CHECK(wires > 500);
   }
+}
+
+TEST_CASE("a tram's contact wires hang over its tracks, held at every pair of masts") {
+  int streets = 0, bare = 0, over_tracks = 0;
+  for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const CityOptions options{.seed = seed, .style = style};
+      const StreetNetwork network = draw_street_network(options);
+      const std::vector<TramTrack> tracks = tram_tracks(network);
+      for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
+        const Mesh mesh = tram_wires(network, s, wire_materials(), options);
+        const bool has_tram = network.streets[s].profile.tram_tracks;
+        bare += has_tram && mesh.surfaces.empty();  // too short for masts
+        if (mesh.surfaces.empty()) continue;
+        CHECK(has_tram);
+        ++streets;
+        for (const Eigen::Vector3f& p : mesh.surfaces.at(cable).positions) {
+          CHECK(p.allFinite());
+          CHECK(p.y() > 5.0f);
+          CHECK(p.y() < 7.4f);
+          if (p.y() > contact_wire_m + 0.03) continue;
+          double off = 1e9;
+          for (const TramTrack& track : tracks)
+            if (track.street == s) off = std::min(off, distance_to_line(track.centre, Vec2(p.x(), -p.z())));
+          CHECK(off < 0.6);
+          ++over_tracks;
+        }
+        for (const int segment : network.streets[s].segments) {
+          const Overhead overhead = overhead_along(network, segment, options);
+          CHECK(overhead.kind == OverheadKind::tram);
+          CHECK(overhead.masts.size() % 2 == 0);
+        }
+      }
+    }
+  CHECK(streets > 8);
+  CHECK(bare < streets / 8);
+  CHECK(over_tracks > 1000);
 }
 
 TEST_CASE("arms that face each other show the same light, those across the other") {

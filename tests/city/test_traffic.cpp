@@ -213,7 +213,7 @@ TEST_CASE("another day has other traffic, parked cars and people, and everything
         const BlockPlan plan = plan_block(city.network, b, character, city.options.seed);
         for (const PlacedModel& p : furnish(city.network, b, plan, library(), character, city.options)) {
           const bool moves = (p.model->kind == ModelKind::car && p.model->name != "lorry") ||
-                             p.model->kind == ModelKind::person;
+                             p.model->kind == ModelKind::cyclist || p.model->kind == ModelKind::person;
           if (moves == moving && p.model->name.find("traffic light") != 0)
             all.emplace_back(p.model->name, p.position);
         }

@@ -79,7 +79,8 @@ void add_vehicles(ModelLibrary& library, GlbWriter& writer, const Materials& m, 
     if (i < 3)
       add(library.motorcyclists, motorcyclist(m, stream), motorcycle_half_length_m, motorcycle_half_width_m,
           ModelKind::car);
-    add(library.cyclists, cyclist(m, stream), bicycle_half_length_m, bicycle_half_width_m, ModelKind::car);
+    add(library.cyclists, cyclist(m, stream), bicycle_half_length_m, bicycle_half_width_m,
+        ModelKind::cyclist);
   }
 }
 

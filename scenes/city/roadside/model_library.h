@@ -7,7 +7,7 @@
 /// Everything that stands in the city more than once: stored as one mesh, placed by many nodes.
 namespace cps::city {
 
-enum class ModelKind { tree, boundary, person, car, furniture, goods, house };
+enum class ModelKind { tree, boundary, person, car, cyclist, furniture, goods, house };
 
 struct Model {
   ModelKind kind = ModelKind::furniture;

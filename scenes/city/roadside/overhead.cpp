@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scenes/city/draws.h"
+#include "scenes/city/roadside/wire.h"
 #include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/road_surface.h"
 
 namespace cps::city {
 namespace {
 
-constexpr double mast_inset_m = 0.45, telegraph_spacing_m = 34, span_spacing_m = 30, longest_span_m = 60;
+constexpr double mast_inset_m = 0.45, telegraph_spacing_m = 34, span_spacing_m = 30, tram_spacing_m = 27,
+                 longest_span_m = 60;
 constexpr double crossarm_m = 7.9, insulator_m = 0.16, telephone_m = 6.6, span_height_m = 7.4;
 constexpr double wires_m[] = {-0.7, -0.3, 0.3, 0.7};  ///< along the crossarm
 constexpr double wire_radius_m = 0.007, cable_radius_m = 0.013;
@@ -43,29 +44,6 @@ Mast mast_at(const StreetNetwork& network, int segment, bool reversed, double st
   return {{segment, reversed},
           at.point + inwards * (s.half_width + mast_inset_m),
           std::atan2(-inwards.y(), -inwards.x())};
-}
-
-/// A hanging wire: a tube of three sides along a parabola.
-void add_wire(Surface& s, const Vec3& from, const Vec3& to, double sag, double radius) {
-  constexpr int pieces = 8, sides = 3;
-  const auto first = static_cast<std::uint32_t>(s.positions.size());
-  const Vec3 aside = Vec3(from.z() - to.z(), 0, to.x() - from.x()).normalized();
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = static_cast<double>(i) / pieces;
-    const Vec3 at = from + (to - from) * t - Vec3(0, 4 * sag * t * (1 - t), 0);
-    for (int k = 0; k < sides; ++k) {
-      const double a = 2 * std::numbers::pi * k / sides;
-      const Vec3 normal = aside * std::cos(a) + Vec3(0, std::sin(a), 0);
-      s.positions.push_back((at + normal * radius).cast<float>());
-      s.normals.push_back(normal.cast<float>());
-      s.uvs.emplace_back(0.f, 0.f);
-    }
-  }
-  for (std::uint32_t i = 0; i < pieces; ++i)
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const std::uint32_t a = first + i * sides + k, b = first + i * sides + (k + 1) % sides;
-      s.indices.insert(s.indices.end(), {a, b, b + sides, a, b + sides, a + sides});
-    }
 }
 
 /// A point of a mast: `out` metres towards the carriageway, `height` above the pavement.
@@ -102,7 +80,8 @@ void add_span_with_lamp(Mesh& mesh, const Materials& m, const Mast& left, const 
 Overhead overhead_along(const StreetNetwork& network, int segment, const CityOptions& options) {
   const Segment& s = network.segments[segment];
   Draws draws{substream(make_stream(options.seed, "overhead"), s.street)};
-  Overhead overhead{draw_kind(draws, options.style, network.streets[s.street].profile), {}};
+  const StreetProfile& profile = network.streets[s.street].profile;
+  Overhead overhead{profile.tram_tracks ? OverheadKind::tram : draw_kind(draws, options.style, profile), {}};
   if (overhead.kind == OverheadKind::none) return overhead;
   const bool reversed = draws.chance(0.5);
   constexpr double room_m = 1.5;  // from where signs stand
@@ -111,8 +90,10 @@ Overhead overhead_along(const StreetNetwork& network, int segment, const CityOpt
                     room_m;
   if (to - from < 10) return overhead;
   const bool telegraph = overhead.kind == OverheadKind::telegraph;
-  const int pieces = std::max(
-      1, static_cast<int>(std::lround((to - from) / (telegraph ? telegraph_spacing_m : span_spacing_m))));
+  const double spacing_m = telegraph                             ? telegraph_spacing_m
+                           : overhead.kind == OverheadKind::tram ? tram_spacing_m
+                                                                 : span_spacing_m;
+  const int pieces = std::max(1, static_cast<int>(std::lround((to - from) / spacing_m)));
   for (int i = 0; i <= pieces; ++i) {
     const double station = from + (to - from) * i / pieces;
     if (telegraph) {
@@ -134,7 +115,7 @@ Mesh overhead_wires(const StreetNetwork& network, int street, const Materials& m
     const std::vector<Mast>& masts = overhead.masts;
     if (overhead.kind == OverheadKind::telegraph)
       row.insert(row.end(), masts.begin(), masts.end());
-    else
+    else if (overhead.kind == OverheadKind::span)
       for (std::size_t i = 0; i + 1 < masts.size(); i += 2)
         add_span_with_lamp(mesh, materials, masts[i], masts[i + 1]);
   }

@@ -9,7 +9,8 @@ namespace cps::city {
 enum class OverheadKind {
   none,
   telegraph,  ///< wooden masts along one kerb, wires from each to the next
-  span        ///< steel masts in pairs, a wire across the street with a lamp in its middle
+  span,       ///< steel masts in pairs, a wire across the street with a lamp in its middle
+  tram        ///< such masts too, for what hangs over tram tracks (tram_wires.h)
 };
 
 /// A mast on the pavement of one side; +x faces the carriageway.
@@ -19,7 +20,7 @@ struct Mast {
   double heading_rad = 0;
 };
 
-/// What a segment of street has: of `span`, the masts of a pair follow each other.
+/// What a segment of street has: of `span` and `tram`, the masts of a pair follow each other.
 struct Overhead {
   OverheadKind kind = OverheadKind::none;
   std::vector<Mast> masts;
@@ -27,7 +28,7 @@ struct Overhead {
 
 Overhead overhead_along(const StreetNetwork& network, int segment, const CityOptions& options);
 
-/// All wires of one street with the lamps that hang from them; the masts are models.
+/// All wires of one street but a tram's, with the lamps that hang from them; the masts are models.
 Mesh overhead_wires(const StreetNetwork& network, int street, const Materials& materials,
                     const CityOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/vehicle.h"
 #include "scenes/city/streets/road_surface.h"
 
@@ -46,6 +47,21 @@ void walk(StandingRoom& room, const KerbSide& kerb, const ModelLibrary& models, 
   }
 }
 
+/// Along the track on the pavement.
+void ride(StandingRoom& room, const Polyline& track, double width_m, const ModelLibrary& models,
+          double traffic, Draws draws) {
+  if (track.empty()) return;
+  const double spacing = draws.uniform(35, 120) / std::max(0.05, traffic);
+  for (double s = spacing * draws.uniform(0, 1); s < length(track); s += spacing * draws.uniform(0.4, 1.6)) {
+    const Model& model = draws.one_of(models.cyclists);
+    const double aside = draws.uniform(-0.5, 0.5) * std::max(0.0, width_m - 2 * model.half_width - 0.2);
+    const Station at = station_at(track, s);
+    if (s > model.half_length && s + model.half_length < length(track))
+      room.try_place({&model, at.point + left_of(at.direction) * aside, kerb_height_m + pavement_track_rise_m,
+                      angle_of(at.direction), 1});
+  }
+}
+
 }  // namespace
 
 Polygon car_ground(const Spot& spot) {
@@ -54,8 +70,9 @@ Polygon car_ground(const Spot& spot) {
   return {spot.position - a - b, spot.position + a - b, spot.position + a + b, spot.position - a + b};
 }
 
-void add_parked_cars_and_people(StandingRoom& room, const std::vector<KerbSide>& kerbs, int block,
-                                const ModelLibrary& models, const CityOptions& options) {
+void add_parked_cars_and_people(StandingRoom& room, const StreetNetwork& network,
+                                const std::vector<KerbSide>& kerbs, int block, const ModelLibrary& models,
+                                const CityOptions& options) {
   const auto draws_of = [&](const char* name, int thing) {
     return Draws{substream(moving_stream(options, name), thing)};
   };
@@ -64,6 +81,10 @@ void add_parked_cars_and_people(StandingRoom& room, const std::vector<KerbSide>&
     park(room, kerb, models, options.parked_cars, draws_of("parked at kerbs", thing));
     walk(room, kerb, models, draws_of("walking", thing));
   }
+  room.kept_free.clear();
+  for (const KerbSide& kerb : kerbs)
+    ride(room, pavement_track(network, kerb), network.profile(kerb.side).pavement_cycle_m, models,
+         options.traffic, draws_of("riding", 2 * kerb.side.segment + kerb.side.reversed));
   Draws draws = draws_of("parked on spots", block);
   for (const Spot& spot : room.plan.car_spots) {
     const Model& model = draw_car(draws, models);

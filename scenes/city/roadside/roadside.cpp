@@ -7,6 +7,7 @@
 #include "scenes/city/roadside/bus_stop.h"
 #include "scenes/city/roadside/overhead.h"
 #include "scenes/city/roadside/parked_and_walking.h"
+#include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/signals.h"
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/streets/road_surface.h"
@@ -46,9 +47,10 @@ class Furnisher {
     const Overhead overhead = overhead_along(network, side.segment, options);
     for (const Mast& mast : overhead.masts)
       if (mast.side == side)
-        room.try_place({overhead.kind == OverheadKind::span ? &models.span_mast : &models.telegraph_mast,
+        room.try_place({overhead.kind == OverheadKind::telegraph ? &models.telegraph_mast : &models.span_mast,
                         mast.position, kerb_height_m, mast.heading_rad, 1});
-    const bool has_wires = !overhead.masts.empty() && overhead.masts[0].side == side;
+    const bool has_wires =
+        !overhead.masts.empty() && (overhead.masts[0].side == side || overhead.kind == OverheadKind::tram);
     const int thing = 10 * side.segment + side.reversed;
     if (kerb.bus_stop) add_bus_stop(kerb, Draws{substream(stream, 13000 + thing)});
     Draws draws{substream(stream, 5000 + thing)};
@@ -205,14 +207,25 @@ std::vector<PlacedModel> furnish(const StreetNetwork& network, int block, const 
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (network.is_road(sides[i])) kerbs.push_back(kerb_side(network, sides[i], plan.pavement_m[i], options));
   StandingRoom room{plan};
+  std::vector<Polygon> tracks;
+  for (const KerbSide& kerb : kerbs) {
+    const Polyline track = pavement_track(network, kerb);
+    if (track.empty()) continue;
+    const double half = network.profile(kerb.side).pavement_cycle_m / 2;
+    const Polyline left = offset(track, half), right = offset(track, -half);
+    for (std::size_t i = 1; i < track.size(); ++i)
+      tracks.push_back({right[i - 1], right[i], left[i], left[i - 1]});
+  }
+  room.kept_free = tracks;
   for (const Spot& spot : plan.car_spots) room.kept_free.push_back(car_ground(spot));
   Furnisher furnisher(network, room, models, options, character,
                       substream(make_stream(options.seed, "roadside"), block));
   for (const KerbSide& kerb : kerbs) furnisher.furnish_side(kerb);
   furnisher.furnish_lots();
   furnisher.plant_gardens();
-  room.kept_free.clear();
-  add_parked_cars_and_people(room, kerbs, block, models, options);  // last: what stands for good knows no day
+  room.kept_free = std::move(tracks);
+  add_parked_cars_and_people(room, network, kerbs, block, models,
+                             options);  // last: what stands for good knows no day
   return std::move(room.placed);
 }
 

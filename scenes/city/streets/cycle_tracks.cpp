@@ -13,14 +13,14 @@ namespace {
 
 constexpr double surface_height_m = 0.0045, stroke_m = 0.07;
 
-/// A bicycle on the road, as whoever rides along `ahead` reads it: 1.1 m wide, twice as long as it is wide,
-/// for it is seen at a slant.
-void paint_bicycle(Surface& paint, const Vec2& at, const Vec2& ahead) {
+}  // namespace
+
+void paint_bicycle(Surface& paint, const Vec2& at, const Vec2& ahead, double height_m) {
   const Vec2 right = -left_of(ahead);
   const auto draw = [&](const std::vector<Vec2>& shape) {
     Polyline line;
     for (const Vec2& p : shape) line.push_back(at + right * p.x() + ahead * (1.7 * p.y()));
-    add_stripe(paint, line, stroke_m, paint_height_m, paint_tile_m);
+    add_stripe(paint, line, stroke_m, height_m, paint_tile_m);
   };
   const Vec2 rear(-0.33, 0.25), front(0.33, 0.25), pedals(-0.04, 0.27), seat(-0.14, 0.68), head(0.2, 0.68);
   for (const Vec2& hub : {rear, front}) {
@@ -37,8 +37,6 @@ void paint_bicycle(Surface& paint, const Vec2& at, const Vec2& ahead) {
   draw({front, head, head + Vec2(-0.02, 0.14), head + Vec2(0.1, 0.17)});
   draw({seat + Vec2(-0.1, 0.08), seat + Vec2(0.06, 0.08)});
 }
-
-}  // namespace
 
 Mesh cycle_tracks(const StreetNetwork& network, int street, const Materials& m, std::uint64_t seed) {
   Mesh mesh{"cycle tracks " + network.streets[street].name, {}};
@@ -70,7 +68,7 @@ Mesh cycle_tracks(const StreetNetwork& network, int street, const Materials& m, 
         const Station at = station_at(segment.centre, left ? from + to - a : a);
         paint_bicycle(mesh.surfaces[m.road_paint],
                       at.point + left_of(at.direction) * (side * (outer - width / 2 - 0.1)),
-                      -side * at.direction);
+                      -side * at.direction, paint_height_m);
       }
     }
   }

@@ -19,6 +19,10 @@ void draw_extras(StreetProfile& p, double median, double tram, double cycle, Dra
     p.median_m = median_m;
   else
     p.tram_tracks = pick < median + tram;
+  constexpr double least_pavement_m = 4.0;
+  const double width_m = draws.uniform(1.4, 1.6);
+  if (p.cycle_right_m == 0 && p.pavement_m >= least_pavement_m && draws.chance(0.5))
+    p.pavement_cycle_m = width_m;
 }
 
 StreetProfile residential(Draws& draws) {
