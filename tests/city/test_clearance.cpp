@@ -87,6 +87,29 @@ TEST_CASE("every lane of every style is free of cars, trees, poles and houses") 
     }
 }
 
+TEST_CASE("no crown hangs into the room over a lane") {
+  int trees = 0;
+  for (const CityStyle style : all_styles)
+    for (std::uint64_t seed = 0; seed < seeds_per_style; ++seed) {
+      INFO(to_string(style) << " " << seed);
+      const City city{{.seed = seed, .style = style, .extent_m = 300}};
+      const std::vector<DrivingLane> all = driving_lanes(city.network);
+      for (int b = 0; b < static_cast<int>(city.network.blocks.size()); ++b)
+        for (const PlacedModel& placed : city.furniture(b, city.plan(b))) {
+          if (placed.model->kind != ModelKind::tree) continue;
+          ++trees;
+          const double crown_m = placed.model->crown_radius * placed.scale;
+          for (const DrivingLane& lane : all)
+            if (lane.junction < 0)
+              if (const double over_m =
+                      crown_m + lane.width_m / 2 - distance_to_line(lane.points, placed.position);
+                  over_m > 0.45)
+                FAIL_CHECK(placed.model->name << " hangs " << over_m << " m over a lane");
+        }
+    }
+  CHECK(trees > 1000);
+}
+
 TEST_CASE("nothing stands in anything else, in any style") {
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < seeds_per_style; ++seed) {

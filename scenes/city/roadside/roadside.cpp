@@ -29,11 +29,16 @@ const std::vector<int>& garden_trees() {
   return trees;
 }
 
+/// Crowns keep out of the room that vehicles need but for this: the outermost leaves.
+constexpr double crown_over_lane_m = 0.4;
+
 class Furnisher {
  public:
-  Furnisher(const StreetNetwork& network, StandingRoom& room, const ModelLibrary& models,
-            const CityOptions& options, const CityCharacter& character, Stream stream)
+  Furnisher(const StreetNetwork& network, const std::vector<KerbSide>& kerbs, StandingRoom& room,
+            const ModelLibrary& models, const CityOptions& options, const CityCharacter& character,
+            Stream stream)
       : network(network),
+        kerbs(kerbs),
         plan(room.plan),
         room(room),
         models(models),
@@ -91,6 +96,10 @@ class Furnisher {
     for (const BuildingPlan& b : plan.buildings) {  // crowns may touch a facade, not grow into it
       const double free_m = distance_to_polygon(b.footprint.polygon(), p);
       scale = std::min(scale, std::max(0.0, free_m + 0.1) / model.crown_radius);
+    }
+    for (const KerbSide& kerb : kerbs) {  // nor hang where lorries drive
+      const double free_m = distance_to_line(kerb.centre, p) - kerb.half_width + edge_m(kerb);
+      scale = std::min(scale, std::max(0.0, free_m + crown_over_lane_m) / model.crown_radius);
     }
     if (scale > 0.45) room.try_place({&model, p, kerb_height_m, heading, scale});
   }
@@ -153,7 +162,9 @@ class Furnisher {
 
   void plant_avenue(const KerbSide& kerb, Draws& draws) {
     const double width_m = kerb.pavement_m - 0.9 + (plan.kind == BlockKind::closed ? 0.0 : 2.5);
-    const int species = width_m > 4.2 ? draws.one_of<int>({lime, plane, maple, birch, poplar, plane})
+    const bool beside_lane = edge_m(kerb) < 1;
+    const int species = beside_lane ? draws.one_of<int>({hornbeam, young, globe, young})
+                        : width_m > 4.2 ? draws.one_of<int>({lime, plane, maple, birch, poplar, plane})
                         : width_m > 3 ? draws.one_of<int>({maple, hornbeam, lime, birch, plum})
                                       : draws.one_of<int>({hornbeam, young, globe, plum});
     const bool planted = draws.chance(std::min(1.0, 0.45 * character.tree_density * options.tree_density));
@@ -188,7 +199,14 @@ class Furnisher {
     }
   }
 
+  /// What lies between the kerb and the nearest lane.
+  double edge_m(const KerbSide& kerb) const {
+    const StreetProfile& profile = network.profile(kerb.side);
+    return kerb.side.reversed ? profile.edge_right_m() : profile.edge_left_m();
+  }
+
   const StreetNetwork& network;
+  const std::vector<KerbSide>& kerbs;
   const BlockPlan& plan;
   StandingRoom& room;
   const ModelLibrary& models;
@@ -218,7 +236,7 @@ std::vector<PlacedModel> furnish(const StreetNetwork& network, int block, const 
   }
   room.kept_free = tracks;
   for (const Spot& spot : plan.car_spots) room.kept_free.push_back(car_ground(spot));
-  Furnisher furnisher(network, room, models, options, character,
+  Furnisher furnisher(network, kerbs, room, models, options, character,
                       substream(make_stream(options.seed, "roadside"), block));
   for (const KerbSide& kerb : kerbs) furnisher.furnish_side(kerb);
   furnisher.furnish_lots();
