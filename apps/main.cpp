@@ -31,6 +31,7 @@ const std::vector<Verb>& verbs() {
       {"lens", "limits of lenses; check a calibration; draw lenses", cps::cps_lens},
       {"distort", "send pictures through a lens, with labels", cps::cps_distort},
       {"undistort", "straighten pictures taken through a lens", cps::cps_undistort},
+      {"relens", "real pictures shown through many lenses, with exact labels", cps::cps_relens},
       {"train", "train a network on a dataset", train("train")},
       {"eval", "measure a trained network on a dataset", train("eval")},
       {"predict", "what a trained network says of images", train("predict")},

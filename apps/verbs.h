@@ -20,6 +20,7 @@ int cps_contact_sheet(const Arguments& arguments);
 int cps_lens(const Arguments& arguments);
 int cps_distort(const Arguments& arguments);
 int cps_undistort(const Arguments& arguments);
+int cps_relens(const Arguments& arguments);
 
 /// train, eval and predict: runs cps-train, found beside this program, with the verb and its arguments.
 int run_cps_train(const std::string& verb, const Arguments& arguments);

@@ -92,6 +92,7 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
     const int tile_height = tile_height_px(label_of(*row.front()), options.tile_width_px);
     for (const DatasetImage* image : row) {
       OIIO::ImageBuf full((dataset.root / image->file).string());
+      if (full.nchannels() == 1) full = OIIO::ImageBufAlgo::channels(full, 3, {0, 0, 0});
       const OIIO::ROI tile(0, options.tile_width_px, 0, tile_height, 0, 1, 0, 3);
       const OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(full, "", 0, tile);
       if (full.has_error() || small.has_error())

@@ -16,6 +16,11 @@ struct Reduction {
   bool operator==(const Reduction&) const = default;
 };
 
+/// Pixels of an image of this size.
+inline std::size_t pixel_count(const ImageSize& size) {
+  return static_cast<std::size_t>(size.width) * size.height;
+}
+
 ImageSize reduced_size(const ImageSize& original, const Reduction& reduction);
 
 /// One gray image, 8 bit, rows top to bottom without padding.

@@ -7,7 +7,7 @@
 namespace cps {
 namespace {
 
-constexpr int model_schema = 1;
+constexpr int model_schema = 2;
 
 }  // namespace
 

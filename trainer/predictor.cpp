@@ -6,7 +6,7 @@
 namespace cps {
 
 Predictor::Predictor(const std::filesystem::path& model_folder) : card_(load_model_card(model_folder)) {
-  network_ = make_resnet(*find_architecture(card_.options.architecture), card_.options.dropout);
+  network_ = make_resnet(*find_architecture(card_.options.architecture), network_options(card_.options));
   const std::filesystem::path file = model_folder / "weights.pt";
   set_weights(*network_, load_tensors(file), file);
 }

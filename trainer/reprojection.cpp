@@ -1,5 +1,6 @@
 #include "trainer/reprojection.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -8,12 +9,12 @@
 
 namespace cps {
 
-std::optional<RayGrid> ray_grid(const Calibration& truth) {
+std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
   const Pinhole& camera = truth.camera;
   const FrameCertificate frame = certify_frame(truth.distortion, camera, one_to_one);
   if (!frame.valid()) return std::nullopt;
-  const int columns = 24,
-            rows = std::max(2, static_cast<int>(std::lround(24.0 * camera.height / camera.width)));
+  const int rows =
+      std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
   RayGrid grid;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
@@ -34,6 +35,20 @@ double reprojection_error_px(const RayGrid& truth, const Calibration& prediction
     sum += (put - truth.pixels[i]).norm();
   }
   return sum / static_cast<double>(truth.pixels.size());
+}
+
+std::optional<double> angular_error_deg(const RayGrid& truth, const Calibration& prediction) {
+  const FrameCertificate frame = certify_frame(prediction.distortion, prediction.camera, one_to_one);
+  if (!frame.valid()) return std::nullopt;
+  double sum = 0;
+  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+    const auto ideal =
+        undistort(prediction.distortion, frame.rectangle, to_plane(prediction.camera, truth.pixels[i]));
+    if (!ideal) return std::nullopt;
+    const Eigen::Vector3d a = truth.ideal[i].homogeneous(), b = ideal->homogeneous();
+    sum += std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return degrees(sum / static_cast<double>(truth.pixels.size()));
 }
 
 bool is_one_to_one(const Calibration& calibration) {

@@ -14,13 +14,17 @@ struct RayGrid {
   std::vector<Eigen::Vector2d> pixels, ideal;
 };
 
-/// About 24 × 24·H/W points at the centres of equal cells. Empty when the lens is not one-to-one in its
-/// frame: then a pixel shows no one point.
-std::optional<RayGrid> ray_grid(const Calibration& truth);
+/// About `columns` × columns·H/W points at the centres of equal cells. Empty when the lens is not one-to-one
+/// in its frame: then a pixel shows no one point.
+std::optional<RayGrid> ray_grid(const Calibration& truth, int columns = 24);
 
 /// Mean distance in pixels between where the truth and where the prediction puts the grid's points. Needs no
 /// inverse of the predicted lens, so a lens that folds is judged like any other.
 double reprojection_error_px(const RayGrid& truth, const Calibration& prediction);
+
+/// Mean angle in degrees between the truth's ray of a pixel and the prediction's. Empty when the predicted
+/// lens is not one-to-one in its frame: then a pixel has no one ray.
+std::optional<double> angular_error_deg(const RayGrid& truth, const Calibration& prediction);
 
 /// Whether every pixel of the frame shows exactly one point.
 bool is_one_to_one(const Calibration& calibration);

@@ -86,19 +86,21 @@ struct ResNet final : Network {
   nn::BatchNorm2d bn1;
   std::array<nn::Sequential, 4> layers;
   nn::Linear fc;
-  double dropout;
+  bool max_pool;
+  NetworkOptions options;
 
-  ResNet(const std::array<int, 4>& blocks, double dropout)
+  ResNet(const Architecture& architecture, const NetworkOptions& options)
       : conv1(nn::Conv2dOptions(1, 64, 7).stride(2).padding(3).bias(false)),
         bn1(64),
-        fc(512 * Block::expansion + 2, output_count),
-        dropout(dropout) {
+        fc(512 * Block::expansion + (options.size_features ? 2 : 0), output_count),
+        max_pool(architecture.max_pool),
+        options(options) {
     register_module("conv1", conv1);
     register_module("bn1", bn1);
     int in = 64;
     for (int i = 0; i < 4; ++i) {
       const int channels = 64 << i;
-      for (int b = 0; b < blocks[i]; ++b) {
+      for (int b = 0; b < architecture.blocks[i]; ++b) {
         layers[i]->push_back(Block(in, channels, b == 0 && i > 0 ? 2 : 1));
         in = channels * Block::expansion;
       }
@@ -114,18 +116,19 @@ struct ResNet final : Network {
 
   Tensor forward(const Tensor& images, const Tensor& sizes) override {
     Tensor x = torch::relu(bn1(conv1(images)));
-    x = torch::max_pool2d(x, 3, 2, 1);
+    if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
     for (nn::Sequential& layer : layers) x = layer->forward(x);
-    x = torch::cat({x.mean({2, 3}), sizes}, 1);
-    return fc(torch::dropout(x, dropout, is_training()));
+    x = x.mean({2, 3});
+    if (options.size_features) x = torch::cat({x, sizes}, 1);
+    return fc(torch::dropout(x, options.dropout, is_training()));
   }
 };
 
 }  // namespace
 
-std::shared_ptr<Network> make_resnet(const Architecture& architecture, double dropout) {
-  if (architecture.bottleneck) return std::make_shared<ResNet<Bottleneck>>(architecture.blocks, dropout);
-  return std::make_shared<ResNet<BasicBlock>>(architecture.blocks, dropout);
+std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options) {
+  if (architecture.bottleneck) return std::make_shared<ResNet<Bottleneck>>(architecture, options);
+  return std::make_shared<ResNet<BasicBlock>>(architecture, options);
 }
 
 }  // namespace cps

@@ -16,10 +16,15 @@ struct Network : torch::nn::Module {
   virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes) = 0;
 };
 
+struct NetworkOptions {
+  double dropout = 0;         ///< of the features before the last layer
+  bool size_features = true;  ///< the two size numbers join the pooled features; else they are not looked at
+};
+
 /// Deep residual network (He, Zhang, Ren, Sun 2016; stride on the 3×3 convolution of a bottleneck, as in
-/// torchvision) for one gray channel; the two size numbers join the pooled features before the last layer
-/// `fc`. Parameters and buffers carry torchvision's names. Initial weights come from torch's generator: seed
-/// it first. `fc` starts at zero, so an untrained network says the training mean.
-std::shared_ptr<Network> make_resnet(const Architecture& architecture, double dropout);
+/// torchvision) for one gray channel, with one last layer `fc`. Parameters and buffers carry torchvision's
+/// names. Initial weights come from torch's generator: seed it first. `fc` starts at zero, so an untrained
+/// network says the training mean.
+std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options);
 
 }  // namespace cps

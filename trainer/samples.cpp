@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include "random/counter_hash.h"
@@ -18,7 +19,36 @@ std::vector<int> images_of(const Dataset& dataset, Part part) {
   return images;
 }
 
-Samples load_samples(const Dataset& dataset, Part part, TargetSpace space, const Reduction& reduction,
+namespace {
+
+std::shared_ptr<const RayGrid> shared_rays(const Calibration& calibration, const std::string& label) {
+  constexpr int columns = 12;
+  auto rays = ray_grid(calibration, columns);
+  if (!rays)
+    throw std::runtime_error(label + ": the lens is not one-to-one in its frame: make this group again");
+  return std::make_shared<const RayGrid>(std::move(*rays));
+}
+
+/// One grid for all images of a group.
+void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& images) {
+  std::map<int, std::array<std::shared_ptr<const RayGrid>, 2>> of_group;
+  for (int i : images) {
+    const int group = dataset.images[i].group;
+    auto& grids = of_group[group];
+    if (!grids[0]) {
+      const DatasetGroup& g = dataset.groups[group];
+      const std::string label = (dataset.root / g.folder / "calibration.json").string();
+      const Calibration calibration{g.label.camera, g.label.distortion};
+      grids = {shared_rays(calibration, label), shared_rays(mirrored(calibration), label)};
+    }
+    samples.rays.push_back(grids[0]);
+    samples.mirrored_rays.push_back(grids[1]);
+  }
+}
+
+}  // namespace
+
+Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
                      const std::filesystem::path& cache_file) {
   const std::vector<int> images = images_of(dataset, part);
   if (images.empty())
@@ -28,13 +58,14 @@ Samples load_samples(const Dataset& dataset, Part part, TargetSpace space, const
   for (int i : images) {
     const DatasetGroup& group = dataset.groups[dataset.images[i].group];
     const Calibration calibration{group.label.camera, group.label.distortion};
-    samples.targets.push_back(to_outputs(calibration, space));
-    samples.mirrored_targets.push_back(to_outputs(mirrored(calibration), space));
+    samples.targets.push_back(to_outputs(calibration, options.space));
+    samples.mirrored_targets.push_back(to_outputs(mirrored(calibration), options.space));
     if (!std::ranges::all_of(samples.targets.back(), [](double v) { return std::isfinite(v); }))
       throw std::runtime_error((dataset.root / group.folder / "calibration.json").string() +
                                ": holds a number that is not finite: make this group again");
   }
-  samples.cache = load_image_cache(dataset, images, reduction, cache_file);
+  samples.cache = load_image_cache(dataset, images, options.reduction, cache_file);
+  if (options.with_rays) add_rays(samples, dataset, images);
   return samples;
 }
 

@@ -7,6 +7,7 @@
 
 #include "dataset/reader.h"
 #include "trainer/image_cache.h"
+#include "trainer/reprojection.h"
 #include "trainer/targets.h"
 
 namespace cps {
@@ -20,11 +21,18 @@ struct Samples {
   ImageCache cache;
   std::vector<Outputs> targets;           ///< in the space asked for, not standardised
   std::vector<Outputs> mirrored_targets;  ///< of the flipped images
+  std::vector<std::shared_ptr<const RayGrid>> rays, mirrored_rays;  ///< empty unless asked for
+};
+
+struct SampleOptions {
+  TargetSpace space = TargetSpace::apparent;
+  Reduction reduction;
+  bool with_rays = false;  ///< for the reprojection loss
 };
 
 /// Throws std::runtime_error with one line when the part is empty, an image is bad, or a label holds a number
-/// that is not finite.
-Samples load_samples(const Dataset& dataset, Part part, TargetSpace space, const Reduction& reduction,
+/// that is not finite or, with rays, is not one-to-one.
+Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
                      const std::filesystem::path& cache_file);
 
 /// 16 hex digits over the image lists and every label number: the same for the same dataset wherever it lies.

@@ -5,14 +5,30 @@
 #include <string>
 #include <vector>
 
+#include "trainer/augmentation.h"
 #include "trainer/gray_image.h"
 #include "trainer/targets.h"
 
 namespace cps {
 
+/// What training makes small. The first two are of standardised outputs.
+enum class Loss {
+  mse,
+  huber,        ///< quadratic up to one deviation, linear beyond (Huber 1964)
+  reprojection  ///< mean pixel distance between true and predicted lens, in hundredths of the image's width
+};
+
+std::string to_string(Loss loss);
+/// Throws std::runtime_error on any other word.
+Loss loss_from_string(const std::string& word);
+
 struct TrainOptions {
   std::string architecture = "resnet18";
+  bool size_features = true;  ///< the network is told the original image's size
   TargetSpace target_space = TargetSpace::apparent;
+  /// Of output_names: those that are learned; the others stay at their training mean.
+  std::vector<std::string> outputs{output_names.begin(), output_names.end()};
+  Loss loss = Loss::mse;
   Reduction reduction;
   int epochs = 20;
   int batch_size = 16;
@@ -26,6 +42,9 @@ struct TrainOptions {
   double dropout = 0;       ///< of the features before the last layer
   double max_gradient = 1;  ///< gradients of larger norm are scaled down to it; 0: never
   bool mirror = true;       ///< show every second image flipped, with its exact label
+  Augmentation augmentation;
+  double ema_decay = 0;  ///< of a running mean of the weights, which is then what is judged and kept; 0: none
+  int patience = 0;      ///< stop after so many epochs without a better validation loss; 0: never
   std::uint64_t seed = 0;
   int threads = 0;     ///< 0: all cores
   double minutes = 0;  ///< wall budget; 0: none. See train()

@@ -2,6 +2,7 @@
 
 #include <torch/serialize.h>
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
@@ -11,7 +12,7 @@
 namespace cps {
 namespace {
 
-const std::string network_prefix = "network.";
+const std::string network_prefix = "network.", average_prefix = "average.";
 
 /// The numbers of an epoch, in the order they are stored.
 std::vector<double> numbers(const EpochReport& r) {
@@ -32,12 +33,28 @@ EpochReport report_from(const double* n) {
       static_cast<int>(n[0]), static_cast<int>(n[1]), n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9] != 0};
 }
 
+/// The tensors whose name begins with `prefix`, without it.
+NamedTensors part_of(const NamedTensors& tensors, const std::string& prefix) {
+  NamedTensors part;
+  for (const auto& [name, tensor] : tensors)
+    if (name.starts_with(prefix)) part[name.substr(prefix.size())] = tensor;
+  return part;
+}
+
 }  // namespace
+
+NetworkOptions network_options(const TrainOptions& options) {
+  return {.dropout = options.dropout, .size_features = options.size_features};
+}
 
 TrainingState fresh_training_state(const TrainOptions& options) {
   torch::manual_seed(mix64(options.seed));
   TrainingState state;
-  state.network = make_resnet(*find_architecture(options.architecture), options.dropout);
+  state.network = make_resnet(*find_architecture(options.architecture), network_options(options));
+  if (options.ema_decay > 0) {
+    state.average = make_resnet(*find_architecture(options.architecture), network_options(options));
+    set_weights(*state.average, weights_of(*state.network), "");
+  }
   state.optimizer = std::make_unique<torch::optim::AdamW>(
       state.network->parameters(),
       torch::optim::AdamWOptions(options.learning_rate).weight_decay(options.weight_decay));
@@ -67,15 +84,27 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
         file.string() + ": holds tensors this network lacks: the weights belong to another architecture");
 }
 
+void update_average(TrainingState& state, double decay) {
+  if (!state.average) return;
+  const torch::NoGradGuard no_gradients;
+  const double steps = static_cast<double>(state.steps), keep = std::min(decay, (1 + steps) / (10 + steps));
+  const auto mean = state.average->parameters(), now = state.network->parameters();
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i].mul_(keep).add_(now[i], 1 - keep);
+  const auto kept = state.average->buffers(), counted = state.network->buffers();
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i].copy_(counted[i]);
+}
+
 void save_training_state(const TrainingState& state, const std::filesystem::path& file) {
   NamedTensors tensors;
   for (const auto& [name, tensor] : weights_of(*state.network)) tensors[network_prefix + name] = tensor;
+  if (state.average)
+    for (const auto& [name, tensor] : weights_of(*state.average)) tensors[average_prefix + name] = tensor;
   std::ostringstream moments;
   torch::save(*state.optimizer, moments);
   const std::string bytes = moments.str();
   tensors["optimizer"] =
       torch::from_blob(const_cast<char*>(bytes.data()), {static_cast<long>(bytes.size())}, torch::kUInt8);
-  std::vector<double> history{static_cast<double>(state.planned_epochs)};
+  std::vector<double> history{static_cast<double>(state.planned_epochs), static_cast<double>(state.steps)};
   for (const EpochReport& report : state.epochs)
     for (double number : numbers(report)) history.push_back(number);
   tensors["history"] = torch::tensor(history, torch::kDouble);
@@ -85,10 +114,8 @@ void save_training_state(const TrainingState& state, const std::filesystem::path
 TrainingState load_training_state(const TrainOptions& options, const std::filesystem::path& file) {
   TrainingState state = fresh_training_state(options);
   const NamedTensors tensors = load_tensors(file);
-  NamedTensors weights;
-  for (const auto& [name, tensor] : tensors)
-    if (name.starts_with(network_prefix)) weights[name.substr(network_prefix.size())] = tensor;
-  set_weights(*state.network, weights, file);
+  set_weights(*state.network, part_of(tensors, network_prefix), file);
+  if (state.average) set_weights(*state.average, part_of(tensors, average_prefix), file);
   try {
     const torch::Tensor moments = tensors.at("optimizer"), history = tensors.at("history");
     std::istringstream bytes(std::string(reinterpret_cast<const char*>(moments.data_ptr<std::uint8_t>()),
@@ -96,8 +123,9 @@ TrainingState load_training_state(const TrainOptions& options, const std::filesy
     torch::load(*state.optimizer, bytes);
     const double* number = history.data_ptr<double>();
     state.planned_epochs = static_cast<int>(*number++);
+    state.steps = static_cast<std::int64_t>(*number++);
     const std::size_t per_epoch = numbers({}).size();
-    for (std::size_t i = 1; i + per_epoch <= static_cast<std::size_t>(history.numel());
+    for (std::size_t i = 2; i + per_epoch <= static_cast<std::size_t>(history.numel());
          i += per_epoch, number += per_epoch)
       state.epochs.push_back(report_from(number));
   } catch (const std::exception&) {

@@ -15,10 +15,23 @@ namespace cps {
 /// What changes while a network is trained.
 struct TrainingState {
   std::shared_ptr<Network> network;
+  std::shared_ptr<Network> average;  ///< running mean of its weights; null: none is kept
   std::unique_ptr<torch::optim::AdamW> optimizer;
   int planned_epochs = 0;
+  std::int64_t steps = 0;
   std::vector<EpochReport> epochs;  ///< so far
+
+  /// The network that is judged and kept.
+  Network& judged() const { return average ? *average : *network; }
 };
+
+/// After a step: moves the running mean towards the network's weights, by 1 − decay, and faster at first
+/// (decay at most (1 + steps) / (10 + steps)); what batch normalisation has counted is copied. Nothing
+/// without a running mean.
+void update_average(TrainingState& state, double decay);
+
+/// The part of a model's options that its network is built by.
+NetworkOptions network_options(const TrainOptions& options);
 
 TrainingState fresh_training_state(const TrainOptions& options);
 

@@ -4,39 +4,90 @@
 #include "apps/options.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
+#include "dataset/exchange/calibration_file.h"
 #include "dataset/files.h"
 #include "trainer/evaluate.h"
 #include "trainer/threads.h"
 
 namespace po = boost::program_options;
+namespace fs = std::filesystem;
 
 namespace cps {
+namespace {
+
+struct Request {
+  std::string model, data, part = "test", kitti, pictures, lens, camera, out;
+  int threads = 0;
+  EvaluationOptions options;
+};
+
+po::options_description describe(Request& r) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("model", po::value(&r.model)->required(), "the model's folder");
+  add("data", po::value(&r.data), "a dataset's folder");
+  add("part", po::value(&r.part)->default_value(r.part), "of the dataset: train, val or test");
+  add("kitti", po::value(&r.kitti),
+      "or a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
+  add("pictures", po::value(&r.pictures), "or a folder of pictures of one camera, with --lens");
+  add("lens", po::value(&r.lens), "its calibration, in any format that cps lens check reads");
+  add("camera", po::value(&r.camera), "which of the file's cameras, by name");
+  add("robustness", po::bool_switch(&r.options.robustness), "measure again with blurred, noisy … images");
+  add("bootstrap", po::value(&r.options.resamples)->default_value(r.options.resamples),
+      "resamples for the 95 % intervals; 0: none");
+  add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of bootstrap and noise");
+  add("skip-bad-images", po::bool_switch(&r.options.skip_bad_images),
+      "leave out what cannot be read, and say so, instead of stopping");
+  add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
+  add("out", po::value(&r.out), "everything as JSON; a page goes beside it [MODEL/eval.json, …]");
+  return options;
+}
+
+EvaluationSet set_of(const Request& r) {
+  if ((!r.data.empty()) + (!r.kitti.empty()) + (!r.pictures.empty()) != 1)
+    throw po::error("say what to measure on: one of --data, --kitti, --pictures");
+  if (!r.kitti.empty()) return kitti_evaluation_set(r.kitti);
+  if (!r.pictures.empty()) {
+    if (r.lens.empty()) throw po::error("--pictures needs the camera's calibration: --lens FILE");
+    return picture_evaluation_set(r.pictures, chosen_camera(read_calibration(r.lens), r.camera, r.lens));
+  }
+  const Part part = usage_checked([&] { return part_from_string(r.part); });
+  if (part == Part::all) throw po::error("--part: say train, val or test");
+  return evaluation_set(read_dataset(r.data), part);
+}
+
+fs::path output_file(const Request& r) {
+  if (!r.out.empty()) return r.out;
+  return fs::path(r.model) / (!r.kitti.empty()      ? "eval_kitti.json"
+                              : !r.pictures.empty() ? "eval_pictures.json"
+                                                    : "eval.json");
+}
+
+}  // namespace
 
 int eval_verb(const Arguments& arguments) {
-  std::string model, data, part, out;
-  po::options_description options("Options");
-  options.add_options()("model", po::value<std::string>(&model)->required(), "the model's folder")(
-      "data", po::value<std::string>(&data)->required(), "the dataset's folder")(
-      "part", po::value<std::string>(&part)->default_value("test"), "train, val or test")(
-      "out", po::value<std::string>(&out), "the table as JSON [MODEL/eval.json]");
+  Request request;
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          "cps eval --model MODEL --data DATASET\nErrors of a trained network on a part of a dataset, beside "
-          "those of two predictors that look at nothing.\n",
-          options, {}, values))
+  if (!parse_options(arguments,
+                     "cps eval --model MODEL (--data DATASET | --kitti FOLDER | --pictures FOLDER --lens "
+                     "FILE)\nErrors of "
+                     "a trained network, beside those of two predictors that look at nothing; on screen, as "
+                     "JSON and as a "
+                     "page.\n",
+                     describe(request), {}, values))
     return 0;
   po::notify(values);
-  use_threads(0);
+  std::string why;
+  if (!request.options.is_valid(&why)) throw po::error(why);
+  use_threads(request.threads);
 
-  const Part measured = usage_checked([&] { return part_from_string(part); });
-  if (measured == Part::all) throw po::error("--part: say train, val or test");
-  Evaluation evaluation = evaluate(Predictor(model), read_dataset(data), measured);
-  evaluation.model = model;
-  const std::filesystem::path file =
-      out.empty() ? std::filesystem::path(model) / "eval.json" : std::filesystem::path(out);
-  write_json(file, to_json(evaluation));
-  std::cout << evaluation.report() << "written to " << file.string() << "\n";
+  const Predictor predictor{fs::path(request.model)};
+  Evaluation evaluation = evaluate(predictor, set_of(request), request.options);
+  evaluation.model = request.model;
+  const fs::path json = output_file(request), page = fs::path(json).replace_extension(".html");
+  write_json(json, to_json(evaluation));
+  write_file(page, to_html(evaluation));
+  std::cout << evaluation.report() << "written to " << json.string() << " and " << page.string() << "\n";
   return 0;
 }
 

@@ -21,10 +21,17 @@ void flag(po::options_description& options, const char* name, T& value, const st
   options.add_options()(name, po::value<T>(&value), shown.str().c_str());
 }
 
-po::options_description training_flags(TrainOptions& o, std::string& target_space) {
+/// What flags say in words, before it is understood.
+struct Words {
+  std::string target_space, loss;
+};
+
+po::options_description training_flags(TrainOptions& o, Words& words) {
   po::options_description options("How to train (in brackets: without --preset)");
-  flag(options, "arch", o.architecture, "resnet18, resnet34 or resnet50");
-  flag(options, "targets", target_space, "apparent (coefficients scaled by the half diagonal) or raw");
+  flag(options, "arch", o.architecture, "resnet18, -34, -50, -101 or resnet34-nopool");
+  flag(options, "size-features", o.size_features, "tell the network the original image's size");
+  flag(options, "loss", words.loss, "mse or huber, of standardised outputs; reprojection, in pixels");
+  flag(options, "targets", words.target_space, "apparent (coefficients scaled by the half diagonal) or raw");
   flag(options, "width", o.reduction.width, "network image's width, pixels; never enlarged");
   flag(options, "reduce", o.reduction.factor, "instead: divide both sides by this; 0: by width");
   flag(options, "epochs", o.epochs, "passes over the training images");
@@ -36,11 +43,18 @@ po::options_description training_flags(TrainOptions& o, std::string& target_spac
   flag(options, "dropout", o.dropout, "of the features before the last layer");
   flag(options, "max-gradient", o.max_gradient, "longer gradients are scaled down to it; 0: never");
   flag(options, "mirror", o.mirror, "show every second image flipped, with its exact label");
+  flag(options, "augment", o.augmentation.probability,
+       "chance of each change that leaves the label true: blur, motion blur, gamma, noise, JPEG, contrast, "
+       "cutout");
+  flag(options, "ema", o.ema_decay, "decay of a running mean of the weights, which is then kept; 0: none");
+  flag(options, "patience", o.patience, "stop after so many epochs without a better val loss; 0: never");
   flag(options, "seed", o.seed, "of weights, order and flips");
   flag(options, "threads", o.threads, "0: all cores");
   flag(options, "minutes", o.minutes, "wall budget: epochs are cut to fit, the schedule with them; 0: none");
   options.add_options()("milestones", po::value<std::vector<double>>(&o.milestones)->multitoken(),
-                        "fractions of the epochs at which the rate decays [0.6 0.85]");
+                        "fractions of the epochs at which the rate decays [0.6 0.85]")(
+      "outputs", po::value<std::vector<std::string>>(&o.outputs)->multitoken(),
+      "those of fov k1 k2 k3 p1 p2 cx cy that are learned [all]");
   return options;
 }
 
@@ -48,7 +62,8 @@ po::options_description training_flags(TrainOptions& o, std::string& target_spac
 
 int train_verb(const Arguments& arguments) {
   TrainOptions options;
-  std::string target_space = to_string(options.target_space), data, out, presets;
+  Words words{to_string(options.target_space), to_string(options.loss)};
+  std::string data, out, presets;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
   po::options_description files("What to train");
@@ -56,7 +71,7 @@ int train_verb(const Arguments& arguments) {
       "out", po::value<std::string>(&out)->required(), "the model's folder, made if need be")(
       "preset", po::value<std::string>(), (presets + "the flags below override it").c_str())(
       "resume", po::bool_switch(), "go on with the model in --out where it stopped, with its own options");
-  const po::options_description how = training_flags(options, target_space);
+  const po::options_description how = training_flags(options, words);
   po::options_description all;
   all.add(files).add(how);
   po::variables_map values;
@@ -74,9 +89,10 @@ int train_verb(const Arguments& arguments) {
         throw po::error("--" + name + " cannot be changed by --resume, which goes on as the model began");
   if (values.count("preset"))
     options = usage_checked([&] { return train_preset(values["preset"].as<std::string>()); });
-  target_space = to_string(options.target_space);
+  words = {to_string(options.target_space), to_string(options.loss)};
   po::notify(values);
-  options.target_space = usage_checked([&] { return target_space_from_string(target_space); });
+  options.target_space = usage_checked([&] { return target_space_from_string(words.target_space); });
+  options.loss = usage_checked([&] { return loss_from_string(words.loss); });
   std::string why;
   if (!options.is_valid(&why)) throw po::error(why);
 

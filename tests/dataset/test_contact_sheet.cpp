@@ -1,3 +1,5 @@
+#include <OpenImageIO/imagebufalgo.h>
+
 #include <catch2/catch.hpp>
 
 #include "dataset/contact_sheet.h"
@@ -22,6 +24,14 @@ TEST_CASE("a contact sheet shows each set's views at their tiles") {
     sheet.getpixel(6 + x, 6 + 20, 0, shown, 3);
     for (int c = 0; c < 3; ++c) CHECK(shown[c] == Approx(expected[c]).margin(0.02));
   }
+  // An image of one channel is gray, not red.
+  const OIIO::ImageSpec spec = first.spec();
+  OIIO::ImageBuf gray(OIIO::ImageSpec(spec.width, spec.height, 1, OIIO::TypeDesc::UINT8));
+  OIIO::ImageBufAlgo::fill(gray, {0.5f});
+  REQUIRE(gray.write((root / plan.groups[0].folder / "000000.png").string()));
+  contact_sheet(read_dataset(root), options).getpixel(6 + 20, 6 + 20, 0, shown, 3);
+  for (int c = 0; c < 3; ++c) CHECK(shown[c] == Approx(.5).margin(.01));
+
   std::filesystem::remove(root / plan.groups[0].folder / "000000.png");
   CHECK_THROWS_WITH(contact_sheet(read_dataset(root), options), Catch::Contains("000000.png"));
 }

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "dataset/files.h"
 #include "street.h"
 #include "tests/temporary_folder.h"
 #include "trainer/evaluate.h"
@@ -21,7 +22,8 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
   train(dataset, folder.path / "model", options, false, {});
   const Predictor predictor(folder.path / "model");
 
-  const Evaluation evaluation = evaluate(predictor, dataset, Part::test);
+  const Evaluation evaluation =
+      evaluate(predictor, evaluation_set(dataset, Part::test), {.resamples = 50, .robustness = true});
   const std::vector<int> images = images_of(dataset, Part::test);
   CHECK(evaluation.network.images == static_cast<int>(images.size()));
 
@@ -47,8 +49,41 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
   CHECK(evaluation.centre.hfov_mean_deg == Approx(baseline_deg).epsilon(1e-9));
   CHECK(evaluation.centre.raw_mae[1] > 0);
 
-  const Evaluation again = evaluate(Predictor(folder.path / "model"), dataset, Part::test);
+  const Evaluation again = evaluate(Predictor(folder.path / "model"), evaluation_set(dataset, Part::test),
+                                    {.resamples = 50, .robustness = true});
   CHECK(to_json(again).dump() == to_json(evaluation).dump());
+
+  // Bins of one kind hold every image once; the first row of the table of robustness is the table above it.
+  for (const char* kind : {"H-FOV", "size", "camera"}) {
+    int members = 0;
+    double sum = 0;
+    for (const EvaluationBin& bin : evaluation.bins)
+      if (bin.kind == kind) {
+        members += bin.images;
+        sum += bin.images * bin.network.hfov_mean_deg;
+      }
+    CHECK(members == evaluation.network.images);
+    CHECK(sum / members == Approx(evaluation.network.hfov_mean_deg));
+  }
+  REQUIRE(evaluation.robustness.size() == 9);
+  CHECK(evaluation.robustness[0].hfov_mean_deg == Approx(evaluation.network.hfov_mean_deg).epsilon(1e-6));
+  CHECK(evaluation.headline.hfov_mean_deg.interval.low <= evaluation.network.hfov_mean_deg);
+  CHECK(evaluation.headline.hfov_mean_deg.interval.high >= evaluation.network.hfov_mean_deg);
+
+  const std::string page = to_html(evaluation);
+  CHECK_THAT(page, Catch::Contains("<svg") && Catch::Contains("data:image/png;base64,iVBOR") &&
+                       Catch::Contains("Gaussian blur, 2 px") && !Catch::Contains("<script"));
+
+  // A picture that cannot be read is named, and refused or left out.
+  const std::filesystem::path spoilt = dataset.root / dataset.images[images[0]].file;
+  write_file(spoilt, std::string_view("no picture"));
+  CHECK_THROWS_WITH(evaluate(predictor, evaluation_set(dataset, Part::test)),
+                    Catch::StartsWith(spoilt.string()));
+  const Evaluation rest =
+      evaluate(predictor, evaluation_set(dataset, Part::test), {.resamples = 0, .skip_bad_images = true});
+  CHECK(rest.network.images == static_cast<int>(images.size()) - 1);
+  REQUIRE(rest.skipped.size() == 1);
+  CHECK_THAT(rest.skipped[0], Catch::StartsWith(spoilt.string()));
 }
 
 TEST_CASE("a folder that is no model is refused in one line") {

@@ -39,7 +39,8 @@ TEST_CASE("streets seen nowhere before teach H-FOV", "[slow]") {
   options.reduction.width = 160;
   options.epochs = 15;
   train(dataset, folder.path / "model", options, false, {});
-  const Evaluation evaluation = evaluate(Predictor(folder.path / "model"), dataset, Part::test);
+  const Evaluation evaluation =
+      evaluate(Predictor(folder.path / "model"), evaluation_set(dataset, Part::test));
   CHECK(evaluation.network.hfov_mean_deg < .5 * evaluation.training_mean.hfov_mean_deg);
   CHECK(evaluation.network.reprojection_mean_px < .6 * evaluation.training_mean.reprojection_mean_px);
 }

@@ -79,6 +79,56 @@ TEST_CASE("means, medians and root mean squares are what they say") {
   CHECK(quantile({0, 10}, .95) == Approx(9.5));
 }
 
+TEST_CASE("angles of rays, focal and principal-point errors in closed form") {
+  // Without distortion a longer focal length turns the ray of a pixel at distance d from atan(d/f) to
+  // atan(d/f').
+  const Calibration truth{pinhole_from_hfov(480, 270, radians(70)), {}};
+  Calibration longer = truth;
+  longer.camera.fx *= 1.1;
+  longer.camera.fy *= 1.1;
+  longer.camera.cx += 4.8;
+  const RayGrid rays = ray_grid(truth).value();
+  const ImageErrors e = image_errors({&truth, &rays, to_outputs(longer, TargetSpace::raw)});
+  CHECK(e.focal == Approx(.1));
+  CHECK(e.principal_point == Approx(2 * .01));
+  CHECK(e.k1 == 0);
+  longer.camera.cx = truth.camera.cx;
+  double angle_deg = 0;
+  for (const Eigen::Vector2d& pixel : rays.pixels) {
+    const double d = (pixel - Eigen::Vector2d(truth.camera.cx, truth.camera.cy)).norm();
+    angle_deg += degrees(std::atan(d / truth.camera.fx) - std::atan(d / longer.camera.fx)) /
+                 static_cast<double>(rays.pixels.size());
+  }
+  CHECK(angular_error_deg(rays, longer).value() == Approx(angle_deg).epsilon(1e-9));
+  for (std::uint64_t lens = 1; lens < 6; ++lens) {
+    const Calibration drawn = draw_calibration({480, 270}, 75, lens);
+    CHECK(angular_error_deg(ray_grid(drawn).value(), drawn).value() == Approx(0).margin(1e-6));
+  }
+  longer.distortion.k1 = -3;
+  CHECK_FALSE(angular_error_deg(rays, longer));
+}
+
+TEST_CASE("AUC is the area under the curve of errors, and correlation is Pearson's") {
+  const Calibration truth{pinhole_from_hfov(480, 270, radians(60)), {}};
+  std::vector<Outputs> said;
+  for (double off_deg : {0.0, .5, 2.0, 20.0}) {
+    said.push_back(to_outputs(truth, TargetSpace::raw));
+    said.back()[0] += radians(off_deg);
+  }
+  const LensErrors errors = errors_of(truth, said);
+  // Share of images within t, integrated: steps at 0, .5 and 2 degrees.
+  CHECK(errors.hfov_auc[0] == Approx((1 + .5 + 0 + 0) / 4));
+  CHECK(errors.hfov_auc[1] == Approx((1 + .9 + .6 + 0) / 4));
+  CHECK(errors.hfov_auc[2] == Approx((1 + .95 + .8 + 0) / 4));
+  CHECK(errors.hfov_correlation == 0);  // the truth does not vary
+
+  std::vector<ImageErrors> three(3);
+  const std::vector<double> fov{1, 2, 3};
+  three[0].raw[0] = 1;  // says 2, 2, 5
+  three[2].raw[0] = 2;
+  CHECK(summarise(three, fov).hfov_correlation == Approx(3 / std::sqrt(2 * 6.)));
+}
+
 TEST_CASE("predictions that are no camera, or fold, are counted and not repaired") {
   const Calibration truth{pinhole_from_hfov(480, 270, radians(60)), {}};
   Outputs none = to_outputs(truth, TargetSpace::raw), folds = none;

@@ -24,7 +24,7 @@ std::int64_t expected(std::int64_t torchvision_total, std::int64_t features) {
 }
 
 std::shared_ptr<Network> resnet(const std::string& name) {
-  return make_resnet(*find_architecture(name), 0);
+  return make_resnet(*find_architecture(name), {});
 }
 
 }  // namespace
@@ -33,6 +33,8 @@ TEST_CASE("parameter counts are torchvision's but for one channel and another he
   CHECK(parameter_count(*resnet("resnet18")) == expected(11'689'512, 512));
   CHECK(parameter_count(*resnet("resnet34")) == expected(21'797'672, 512));
   CHECK(parameter_count(*resnet("resnet50")) == expected(25'557'032, 2048));
+  CHECK(parameter_count(*resnet("resnet101")) == expected(44'549'160, 2048));
+  CHECK(parameter_count(*resnet("resnet34-nopool")) == expected(21'797'672, 512));
 }
 
 TEST_CASE("parameters and buffers carry torchvision's names and shapes") {
@@ -90,6 +92,35 @@ TEST_CASE("any image size goes in, and the size features reach the outputs") {
       network->forward(image, torch::tensor({{.125f, .25f}})) - network->forward(image, torch::zeros({1, 2}));
   const torch::Tensor weight = network->named_parameters()["fc.weight"];
   CHECK(torch::allclose(change[0], .125 * weight.select(1, 512) + .25 * weight.select(1, 513), 1e-4, 1e-5));
+}
+
+TEST_CASE("without size features the size is not looked at, and the last layer has two columns fewer") {
+  torch::manual_seed(1);
+  const auto network = make_resnet(*find_architecture("resnet18"), {.size_features = false});
+  network->eval();
+  const torch::NoGradGuard no_gradients;
+  torch::Tensor weight = network->named_parameters()["fc.weight"];
+  CHECK(weight.sizes() == torch::IntArrayRef({8, 512}));
+  weight.normal_();
+  const torch::Tensor image = torch::randn({1, 1, 64, 96});
+  CHECK(torch::equal(network->forward(image, torch::ones({1, 2})),
+                     network->forward(image, torch::zeros({1, 2}))));
+}
+
+TEST_CASE("without the pooling every map is twice as large, with the same weights") {
+  torch::manual_seed(1);
+  const auto pooled = resnet("resnet34"), plain = resnet("resnet34-nopool");
+  set_weights(*plain, weights_of(*pooled), "");  // the same names and shapes
+  pooled->eval();
+  plain->eval();
+  for (const auto& network : {pooled, plain}) {
+    torch::Tensor fc = network->named_parameters()["fc.weight"];
+    const torch::NoGradGuard no_gradients;
+    fc.fill_(.01);
+  }
+  const torch::NoGradGuard no_gradients;
+  const torch::Tensor image = torch::randn({1, 1, 64, 96}), sizes = torch::zeros({1, 2});
+  CHECK_FALSE(torch::allclose(pooled->forward(image, sizes), plain->forward(image, sizes)));
 }
 
 TEST_CASE("an untrained network says the training mean, whatever it sees") {

@@ -24,6 +24,8 @@ TrainOptions four_epochs() {
   options.epochs = 4;
   options.batch_size = 4;
   options.dropout = .25;  // its noise must be repeated, too
+  options.augmentation.probability = .3;
+  options.ema_decay = .9;
   options.threads = 2;
   return options;
 }
@@ -52,6 +54,9 @@ TEST_CASE("a resumed run gives the same weights, bit for bit") {
     CHECK(parts.epochs[e].validation_loss == whole.epochs[e].validation_loss);
     CHECK(parts.epochs[e].learning_rate == whole.epochs[e].learning_rate);
   }
+
+  CHECK(read_file(folder.path / "whole/history.csv").substr(0, 5) == "epoch");
+  CHECK(read_file(folder.path / "whole/history.svg").find("<svg") != std::string::npos);
 
   // A finished run stays as it is.
   const std::string state = read_file(folder.path / "whole/state.pt");
@@ -86,6 +91,30 @@ TEST_CASE("a budget of minutes cuts the planned epochs, never below one") {
   CHECK(summary.epochs.size() == 1);
   CHECK(summary.epochs[0].planned_epochs == 1);
   CHECK(summary.is_finished);
+}
+
+TEST_CASE("every loss trains, and a run that gets no better is stopped early") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(folder.path / "data", small());
+  for (Loss loss : {Loss::huber, Loss::reprojection}) {
+    TrainOptions options = four_epochs();
+    options.loss = loss;
+    options.epochs = 8;
+    options.augmentation.probability = 0;
+    const TrainSummary summary = train(dataset, folder.path / to_string(loss), options, false, {});
+    CHECK(summary.epochs.back().training_loss < summary.epochs.front().training_loss);
+    CHECK(std::isfinite(summary.epochs.back().validation_loss));
+  }
+  TrainOptions options = four_epochs();
+  options.epochs = 50;
+  options.learning_rate = 1e-12;  // validation stays where it is
+  options.ema_decay = 0;
+  options.patience = 2;
+  const TrainSummary stopped = train(dataset, folder.path / "patience", options, false, {});
+  CHECK(stopped.is_finished);
+  CHECK(stopped.epochs.size() < 50);
+  CHECK(static_cast<int>(stopped.epochs.size()) == stopped.best.epoch + 2);
+  CHECK(train(dataset, folder.path / "patience", {}, true, {}).epochs.size() == stopped.epochs.size());
 }
 
 TEST_CASE("a part without images is refused") {

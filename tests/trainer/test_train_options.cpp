@@ -28,6 +28,23 @@ TEST_CASE("options survive JSON, and presets are valid") {
   CHECK_THROWS_WITH(train_preset("none"), Catch::Contains("demo"));
 }
 
+TEST_CASE("the thesis' presets say what docs/models.md says") {
+  for (const char* name :
+       {"cps-v0.1", "cps-v0.2", "cps-v0.3", "cps-v0.4", "cps-v0.5", "cps-v0.6", "cps-v0.7"}) {
+    const TrainOptions& o = train_preset(name);
+    CHECK(o.architecture == "resnet50");
+    CHECK(o.reduction.factor == 4);
+    CHECK(reduced_size({1920, 1080}, o.reduction) == ImageSize{480, 270});
+    CHECK(reduced_size({1392, 512}, o.reduction) == ImageSize{348, 128});
+    CHECK(o.epochs == 50);
+    CHECK(o.loss == Loss::mse);
+    CHECK(o.target_space == TargetSpace::raw);
+    CHECK(o.size_features == (std::string(name) == "cps-v0.7"));
+  }
+  CHECK(train_preset("cps-v0.1").outputs == std::vector<std::string>{"fov", "k1"});
+  CHECK(train_preset("cps-v0.5").outputs.size() == 8);
+}
+
 TEST_CASE("absurd options are refused by name") {
   const auto refusal = [](auto change) {
     TrainOptions options;
@@ -41,5 +58,14 @@ TEST_CASE("absurd options are refused by name") {
   CHECK_THAT(refusal([](TrainOptions& o) { o.batch_size = 1; }), Catch::StartsWith("batch"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.learning_rate = -1; }), Catch::StartsWith("lr"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.reduction.width = 3; }), Catch::StartsWith("width"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.outputs = {"hfov"}; }), Catch::StartsWith("outputs: 'hfov'"));
+  CHECK_THAT(refusal([](TrainOptions& o) {
+               o.outputs = {"fov"};
+               o.loss = Loss::reprojection;
+             }),
+             Catch::StartsWith("loss"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.ema_decay = 1; }), Catch::StartsWith("ema"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.augmentation.probability = 2; }), Catch::StartsWith("augment"));
+  CHECK_THROWS_WITH(loss_from_string("l1"), Catch::Contains("huber"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.milestones = {.5, 1.5}; }), Catch::StartsWith("milestones"));
 }

@@ -1,0 +1,35 @@
+#include <torch/types.h>
+
+#include <catch2/catch.hpp>
+
+#include "trainer/training_state.h"
+
+using namespace cps;
+
+TEST_CASE("the running mean of the weights follows its recurrence, and counts are copied") {
+  TrainOptions options;
+  options.ema_decay = .9;
+  TrainingState state = fresh_training_state(options);
+  const auto first = [](const Network& network) {
+    return network.parameters()[0].flatten()[0].item<double>();
+  };
+  double expected = first(*state.network);
+  CHECK(first(*state.average) == expected);
+  for (int step = 1; step <= 200; ++step) {
+    {
+      const torch::NoGradGuard no_gradients;
+      state.network->parameters()[0].add_(.1);
+      state.network->buffers()[0].fill_(step);
+    }
+    state.steps = step;
+    update_average(state, options.ema_decay);
+    const double keep = std::min(.9, (1. + step) / (10. + step));
+    expected = keep * expected + (1 - keep) * first(*state.network);
+    CHECK(first(*state.average) == Approx(expected).epsilon(1e-4));
+    CHECK(state.average->buffers()[0].flatten()[0].item<double>() == step);
+  }
+  // A ramp of slope .1 is followed with a lag of .1 · .9/(1 − .9).
+  CHECK(first(*state.network) - first(*state.average) == Approx(.9).epsilon(1e-2));
+  CHECK(&state.judged() == state.average.get());
+  CHECK_FALSE(fresh_training_state({}).average);
+}

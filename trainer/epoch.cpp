@@ -1,0 +1,123 @@
+#include "trainer/epoch.h"
+
+#include <torch/nn/utils/clip_grad.h>
+#include <torch/utils.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "random/counter_hash.h"
+#include "trainer/batch_loss.h"
+#include "trainer/batches.h"
+#include "trainer/inference.h"
+
+namespace cps {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What one batch shows: the images, changed for this epoch.
+struct ShownBatch {
+  std::vector<BatchImage> images;
+  std::vector<bool> mirrored;
+  std::vector<GrayImage> changed;  ///< what `images` point into
+};
+
+ShownBatch show(const Samples& samples, const Batch& batch, const TrainOptions& options, int epoch) {
+  ShownBatch shown;
+  const Stream changes = substream(make_stream(options.seed, "augmentation"), epoch);
+  for (int i : batch) {
+    shown.mirrored.push_back(options.mirror && is_mirrored(options.seed, epoch, i));
+    if (options.augmentation.probability > 0)
+      shown.changed.push_back(
+          augmented(samples.cache.images[i], options.augmentation, substream(changes, i)));
+  }
+  for (std::size_t n = 0; n < batch.size(); ++n) {
+    const GrayView view = shown.changed.empty()
+                              ? samples.cache.images[batch[n]]
+                              : GrayView{shown.changed[n].size, shown.changed[n].pixels.data()};
+    shown.images.push_back({view, samples.cache.originals[batch[n]], shown.mirrored[n]});
+  }
+  return shown;
+}
+
+/// Of the outputs that are learned.
+double cosine_similarity(const Outputs& a, const Outputs& b, const std::vector<int>& learned) {
+  double ab = 0, aa = 0, bb = 0;
+  for (int i : learned) {
+    ab += a[i] * b[i];
+    aa += a[i] * a[i];
+    bb += b[i] * b[i];
+  }
+  return ab / std::max(std::sqrt(aa * bb), 1e-12);
+}
+
+std::vector<int> learned_outputs(const TrainOptions& options) {
+  std::vector<int> learned;
+  for (int i = 0; i < output_count; ++i)
+    if (std::ranges::find(options.outputs, output_names[i]) != options.outputs.end()) learned.push_back(i);
+  return learned;
+}
+
+torch::Tensor tensor_of(const std::vector<Outputs>& said, const Batch& batch) {
+  torch::Tensor tensor = torch::empty({static_cast<long>(batch.size()), output_count});
+  float* out = tensor.data_ptr<float>();
+  for (int i : batch)
+    for (double v : said[i]) *out++ = static_cast<float>(v);
+  return tensor;
+}
+
+}  // namespace
+
+void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, EpochReport& report) {
+  const TrainOptions& options = card.options;
+  const auto start = Clock::now();
+  state.network->train();
+  torch::manual_seed(random_bits(make_stream(options.seed, "dropout"), report.epoch));
+  const auto batches =
+      shuffled_batches(samples.cache.originals, options.batch_size, options.seed, report.epoch);
+  double loss_sum = 0;
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    const double progress = report.epoch - 1 + (b + 1.0) / batches.size();
+    report.learning_rate = learning_rate_at(options, progress, state.planned_epochs);
+    static_cast<torch::optim::AdamWOptions&>(state.optimizer->param_groups()[0].options())
+        .lr(report.learning_rate);
+
+    const ShownBatch shown = show(samples, batches[b], options, report.epoch);
+    const torch::Tensor said =
+        state.network->forward(image_tensor(shown.images, card.pixels), size_tensor(shown.images));
+    const torch::Tensor loss = batch_loss(said, samples, batches[b], shown.mirrored, card);
+    state.optimizer->zero_grad();
+    loss.backward();
+    if (options.max_gradient > 0)
+      torch::nn::utils::clip_grad_norm_(state.network->parameters(), options.max_gradient);
+    state.optimizer->step();
+    ++state.steps;
+    update_average(state, options.ema_decay);
+    loss_sum += loss.item<double>() * static_cast<double>(batches[b].size());
+  }
+  const double images = static_cast<double>(samples.targets.size());
+  report.training_loss = loss_sum / images;
+  report.images_per_second = images / std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
+  std::vector<BatchImage> images;
+  for (std::size_t i = 0; i < samples.targets.size(); ++i)
+    images.push_back({samples.cache.images[i], samples.cache.originals[i]});
+  const std::vector<Outputs> said = run_network(network, images, card.pixels, card.options.batch_size);
+  const double n = static_cast<double>(said.size());
+  for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
+    report.validation_loss += batch_loss(tensor_of(said, batch), samples, batch, {}, card).item<double>() *
+                              static_cast<double>(batch.size()) / n;
+  const std::vector<int> learned = learned_outputs(card.options);
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    const Outputs truth = standardise(samples.targets[i], card.targets);
+    report.validation_cosine += cosine_similarity(said[i], truth, learned) / n;
+    report.validation_hfov_mae_deg +=
+        degrees(std::abs(said[i][0] - truth[0]) * card.targets.deviation[0]) / n;
+  }
+}
+
+}  // namespace cps
