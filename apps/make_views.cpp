@@ -138,6 +138,10 @@ std::string MakeViewsSummary::brief() const {
       share(cpu_s - cpu.render_s - post_s), threads, wall_s > 0 ? 100 * cpu_s / (wall_s * threads) : 0.0);
 }
 
+int views_in_flight(int threads) {
+  return 2 + threads / 8;
+}
+
 MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
                             const std::filesystem::path& root, int threads, Progress& progress) {
   using Clock = std::chrono::steady_clock;
@@ -145,8 +149,7 @@ MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& v
   const double cpu_begin_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
   OIIO::attribute("threads", 1);  // all threads are TBB's
   ViewLine line(plan, views, journal, root, progress);
-  // One view is rendered, the images of others are made, which is a small part of the work: a few are enough.
-  line.run(static_cast<std::size_t>(2 + threads / 8));
+  line.run(static_cast<std::size_t>(views_in_flight(threads)));
   MakeViewsSummary summary = line.summary();
   summary.threads = threads;
   summary.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();

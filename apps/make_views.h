@@ -24,6 +24,10 @@ struct MakeViewsSummary {
   std::string brief() const;
 };
 
+/// How many views make_views has in memory at a time. One is rendered while the images of others are made,
+/// which is a small part of the work: a few are enough.
+int views_in_flight(int threads);
+
 /// Renders views (indices into plan.views, in their order) and sends each through its lenses and the sensor
 /// into files; a view whose files are all there is written to the journal. While one view is rendered the
 /// images of those before it are made; few are in memory at a time. The files are the same whatever the

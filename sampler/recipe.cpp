@@ -4,6 +4,7 @@
 #include <boost/program_options/parsers.hpp>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include "sampler/key_options.h"
 #include "sampler/lens_check.h"
@@ -24,6 +25,14 @@ struct Check {
   bool holds;
   const char* reason;
 };
+
+/// Whether files of one name in two folders are among them: a dataset tells its scenes apart by name.
+bool has_namesakes(const std::vector<std::string>& files) {
+  std::map<std::filesystem::path, std::string> by_name;
+  return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+    return by_name.emplace(std::filesystem::path(file).filename(), file).first->second != file;
+  });
+}
 
 }  // namespace
 
@@ -47,6 +56,7 @@ bool Recipe::is_valid(std::string* why) const {
       {!name.empty(), "name: must not be empty"},
       {!scenes.empty() || !city_seeds.empty() || cities > 0,
        "scene, city_seed, cities: name at least one scene or city"},
+      {!has_namesakes(scenes), "scene: two files in different folders have the same name; rename one"},
       {is_between(cities, 0, 100'000), "cities: must lie in [0, 100000]"},
       {!city_styles.empty(), "city_style: name at least one, as european"},
       {is_between(traffic_min, 0, 2) && is_between(traffic_max, traffic_min, 2),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/make_views.h"
+
 namespace cps {
 namespace {
 
@@ -20,7 +22,7 @@ double deviation(const std::vector<double>& values) {
 
 }  // namespace
 
-Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilot) {
+Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilot, int threads) {
   constexpr double hour_s = 3600;
   const auto sets = static_cast<std::size_t>(counts.sets), hfovs = sets / recipe.sizes.size();
   double places = 0;
@@ -28,7 +30,8 @@ Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilo
   const auto views_of_set = [&](std::size_t set) {
     return recipe.views[set / hfovs] * static_cast<double>(counts.views) / places;
   };
-  Bill bill{.counts = counts, .peak_bytes = pilot.peak_bytes};
+  Bill bill{.counts = counts,
+            .peak_bytes = pilot.peak_bytes + (views_in_flight(threads) - 1) * pilot.view_bytes};
 
   // Each measured condition foretells the whole; their mean is the estimate, and they tell how sure it is.
   std::vector<double> foretold_h;

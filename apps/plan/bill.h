@@ -23,8 +23,8 @@ struct Bill {
   std::int64_t peak_bytes = 0;              ///< of memory, of one process
 };
 
-/// What the pilot's measurements come to for the whole recipe.
-Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilot);
+/// What the pilot's measurements come to for the whole recipe, made by processes of so many threads.
+Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilot, int threads);
 
 /// What a bill is held against.
 struct Resources {

@@ -79,6 +79,10 @@ double pixels(const Pinhole& camera) {
   return static_cast<double>(camera.width) * camera.height;
 }
 
+std::int64_t bytes_of(const RenderedHalves& halves) {
+  return static_cast<std::int64_t>(halves.first.spec().image_bytes() + halves.second.spec().image_bytes());
+}
+
 /// What is measured of full-size views of one size.
 struct FullSize {
   int wanted = 1, views = 0, images = 0;
@@ -136,6 +140,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     FullSize& of_size = full[plan.sets[view.set].size];
     if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
     const RenderedHalves whole = times == 1 ? reduced : render_halves(plan, view, view.master, scene);
+    pilot.view_bytes = std::max(pilot.view_bytes, bytes_of(whole));
     full_s += whole.cpu_s;
     foretold_s += view_s;
     before = process_cpu_s();

@@ -26,7 +26,8 @@ struct Pilot {
   double scene_bytes = 0;              ///< of the file; 0 if it is there
   double condition_cpu_s = 0;          ///< to load a scene, twice, and make it ready to render
   double view_plan_cpu_s = 0;          ///< to draw a view's place and lenses
-  std::int64_t peak_bytes = 0;         ///< of memory that the process had
+  std::int64_t peak_bytes = 0;         ///< of memory that the process had, with one view at a time
+  std::int64_t view_bytes = 0;         ///< of memory, of the largest view rendered
 };
 
 /// Makes `conditions` scenes of the recipe (or all, if it has fewer) in a temporary folder and renders one

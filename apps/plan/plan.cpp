@@ -62,7 +62,7 @@ int cps_plan(const Arguments& arguments) {
   resources.free_bytes = free_bytes(resources.folder);
   const RecipeCounts counts = count_out(job.recipe, static_cast<int>(job.rig.cameras.size()));
   const Pilot pilot = run_pilot(job.recipe, job.rig, job.drive, conditions);
-  const Bill bill = bill_of(job.recipe, counts, pilot);
+  const Bill bill = bill_of(job.recipe, counts, pilot, threads);
   if (values.count("json") > 0)
     std::cout << to_json(job.recipe, bill, pilot, resources).dump(1) << "\n";
   else

@@ -45,6 +45,7 @@ TEST_CASE("a bad recipe is refused before any work, in one line with key and ran
       {"viwes = 3", "viwes"},
       {"base_hfov_deg = 0", "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
       {"base_hfov_deg = 180", "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
+      {"scene = a/city.glb, b/city.glb", "scene: two files in different folders have the same name"},
       {"views = 0", "views: must lie in [3, 1000000]"},
       {"views = 3, 4", "views: name one number, or as many as there are sizes"},
       {"size = -80x45", "size: width and height must be at least 32 pixels"},
