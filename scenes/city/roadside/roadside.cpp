@@ -163,10 +163,10 @@ class Furnisher {
   void plant_avenue(const KerbSide& kerb, Draws& draws) {
     const double width_m = kerb.pavement_m - 0.9 + (plan.kind == BlockKind::closed ? 0.0 : 2.5);
     const bool beside_lane = edge_m(kerb) < 1;
-    const int species = beside_lane ? draws.one_of<int>({hornbeam, young, globe, young})
+    const int species = beside_lane     ? draws.one_of<int>({hornbeam, young, globe, young})
                         : width_m > 4.2 ? draws.one_of<int>({lime, plane, maple, birch, poplar, plane})
-                        : width_m > 3 ? draws.one_of<int>({maple, hornbeam, lime, birch, plum})
-                                      : draws.one_of<int>({hornbeam, young, globe, plum});
+                        : width_m > 3   ? draws.one_of<int>({maple, hornbeam, lime, birch, plum})
+                                        : draws.one_of<int>({hornbeam, young, globe, plum});
     const bool planted = draws.chance(std::min(1.0, 0.45 * character.tree_density * options.tree_density));
     const double spacing = draws.uniform(7.5, 13), scale = draws.uniform(0.8, 1.15);
     if (!planted) return;
