@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "renderer/inside_out.h"
+#include "scenes/inside_out.h"
 
 namespace cps {
 namespace {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "scenes/inside_out.h"
+
 namespace cps {
 
 struct SceneRays::Geometry {
@@ -50,7 +52,11 @@ RTCScene committed_mesh(RTCDevice device, const Mesh& mesh) {
 
 SceneRays::SceneRays(const Scene& scene) : geometry(std::make_unique<Geometry>()) {
   std::vector<RTCScene> meshes;
-  for (const Mesh& mesh : scene.meshes) meshes.push_back(committed_mesh(geometry->device, mesh));
+  std::vector<bool> is_shell;
+  for (const Mesh& mesh : scene.meshes) {
+    meshes.push_back(committed_mesh(geometry->device, mesh));
+    is_shell.push_back(!scene.materials[mesh.material].double_sided && is_inside_out(mesh));
+  }
   geometry->scene = rtcNewScene(geometry->device);
   rtcSetSceneFlags(geometry->scene, RTC_SCENE_FLAG_ROBUST);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -60,7 +66,8 @@ SceneRays::SceneRays(const Scene& scene) : geometry(std::make_unique<Geometry>()
     const Eigen::Matrix4f transform = instance.world_from_mesh.matrix();
     rtcSetGeometryTransform(placed, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, transform.data());
     rtcCommitGeometry(placed);
-    rtcAttachGeometryByID(geometry->scene, placed, static_cast<unsigned int>(i));
+    if (!is_shell[instance.mesh])
+      rtcAttachGeometryByID(geometry->scene, placed, static_cast<unsigned int>(i));
     rtcReleaseGeometry(placed);
     geometry->surfaces.push_back({instance.world_from_mesh.linear().inverse().transpose(),
                                   scene.materials[scene.meshes[instance.mesh].material].double_sided});

@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// Ray queries against a scene's geometry (masked leaves count as solid), built once and asked from any
-/// thread.
+/// Ray queries against a scene's geometry (masked leaves count as solid, shells turned inside out are not
+/// there, as whoever looks at them sees through them), built once and asked from any thread.
 struct SceneRays {
   /// Throws std::runtime_error when the tree cannot be built.
   explicit SceneRays(const Scene& scene);

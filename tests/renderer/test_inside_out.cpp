@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "renderer/inside_out.h"
+#include "scenes/inside_out.h"
 #include "tests/renderer/handmade.h"
 
 using namespace cps;

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <set>
 
+#include "scenes/clearance.h"
 #include "scenes/drive/drive_search.h"
 #include "scenes/drive/route_file.h"
 #include "scenes/drive/unit_scale.h"
@@ -66,6 +67,18 @@ TEST_CASE("a car passes below a bridge, but not below a plank") {
     INFO(height);
     CHECK((ground_grid(scene, rays).room_at({0, 0}) > 1) == (height > 2.2f));
   }
+}
+
+// LittlestTokyo: a hull around everything, 8 cm outside it, made its ground a space too low for cars.
+TEST_CASE("an outline hull, a shell turned inside out, is no ceiling and nobody is inside it") {
+  Scene scene = street();
+  scene.meshes.push_back(box());
+  for (Eigen::Vector3i& triangle : scene.meshes[1].triangles) std::swap(triangle.y(), triangle.z());
+  add_box(scene, {-100.5f, -1.08f, -25.5f}, {100.5f, 0.08f, 25.5f});
+  scene.instances.back().mesh = 1;
+  const SceneRays rays(scene);
+  CHECK(ground_grid(scene, rays).room_at({0, 0}) == Approx(5).margin(1.0));
+  CHECK(place_fault(rays, {0, 1.5, 0}, {1, 0, 0}, 2.5) == PlaceFault::none);
 }
 
 TEST_CASE("drives keep clear of the walls and of one another") {

@@ -1,4 +1,4 @@
-#include "renderer/inside_out.h"
+#include "scenes/inside_out.h"
 
 #include <algorithm>
 #include <numeric>
