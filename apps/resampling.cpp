@@ -6,33 +6,6 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace cps {
-namespace {
-
-/// What programs that read the format look for.
-const char* usual_name(CalibrationFormat format) {
-  switch (format) {
-    case CalibrationFormat::cps:
-      return "calibration.json";
-    case CalibrationFormat::opencv_yaml:
-      return "calibration.yml";
-    case CalibrationFormat::opencv_xml:
-      return "calibration.xml";
-    case CalibrationFormat::colmap:
-      return "cameras.txt";
-    case CalibrationFormat::ros:
-      return "camera_info.yaml";
-    case CalibrationFormat::kitti:
-      return "calib_cam_to_cam.txt";
-    case CalibrationFormat::kalibr:
-      return "camchain.yaml";
-    case CalibrationFormat::nerfstudio:
-      return "transforms.json";
-  }
-  return "";
-}
-
-}  // namespace
-
 po::options_description describe(ResamplingRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
@@ -92,7 +65,7 @@ Eigen::Vector2i first_size(const std::vector<PictureJob>& jobs) {
 
 fs::path label_path(const ResamplingRequest& request, const std::vector<PictureJob>& jobs) {
   if (!request.label_file.empty()) return request.label_file;
-  const char* name = usual_name(calibration_format_from_string(request.label_format));
+  const std::string name = usual_file_name(calibration_format_from_string(request.label_format));
   if (fs::is_directory(request.input)) return fs::path(request.output) / name;
   const fs::path& picture = jobs.front().output;
   return picture.parent_path() / (picture.stem().string() + "_" + name);

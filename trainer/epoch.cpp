@@ -68,34 +68,101 @@ torch::Tensor tensor_of(const std::vector<Outputs>& said, const Batch& batch) {
   return tensor;
 }
 
+/// What a step sums over its batches, in one row so that it is sent at once: gradients, what batch
+/// normalisation has counted, the loss of all images, and the number of batches.
+class StepSums {
+ public:
+  explicit StepSums(Network& network) : parameters_(network.parameters()) {
+    for (const torch::Tensor& buffer : network.buffers())
+      (buffer.is_floating_point() ? buffers_ : counts_).push_back(buffer);
+    std::int64_t length = 2;
+    for (const auto* list : {&parameters_, &buffers_})
+      for (const torch::Tensor& t : *list) length += t.numel();
+    row_ = torch::zeros({length});
+    for (const torch::Tensor& buffer : buffers_) before_.push_back(buffer.clone());
+    for (const torch::Tensor& count : counts_) after_.push_back(count + 1);
+  }
+
+  /// Each batch starts from the statistics that the step started from.
+  void begin_batch() {
+    const torch::NoGradGuard no_gradients;
+    for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i].copy_(before_[i]);
+  }
+
+  void add_batch(double loss_of_images) {
+    const torch::NoGradGuard no_gradients;
+    std::int64_t at = 0;
+    const auto add = [&](const torch::Tensor& t) {
+      row_.narrow(0, at, t.numel()).add_(t.flatten());
+      at += t.numel();
+    };
+    for (const torch::Tensor& p : parameters_) add(p.grad());
+    for (const torch::Tensor& b : buffers_) add(b);
+    row_[at] += loss_of_images;
+    row_[at + 1] += 1;
+  }
+
+  /// Puts the means over all batches of all processes into gradients and buffers. Returns the losses' sum.
+  double finish(const Ranks& ranks) {
+    const torch::NoGradGuard no_gradients;
+    ranks.sum(row_);
+    const std::int64_t numbers = row_.numel() - 2;
+    const double batches = row_[numbers + 1].item<double>();
+    row_.narrow(0, 0, numbers).div_(batches);
+    std::int64_t at = 0;
+    const auto take = [&](const torch::Tensor& like) {
+      at += like.numel();
+      return row_.narrow(0, at - like.numel(), like.numel()).view_as(like);
+    };
+    for (torch::Tensor& p : parameters_) p.mutable_grad() = take(p).clone();
+    for (torch::Tensor& b : buffers_) b.copy_(take(b));
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].copy_(after_[i]);  // of steps
+    return row_[numbers].item<double>();
+  }
+
+ private:
+  std::vector<torch::Tensor> parameters_, buffers_, before_;
+  std::vector<torch::Tensor> counts_, after_;  ///< num_batches_tracked
+  torch::Tensor row_;
+};
+
 }  // namespace
 
-void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, EpochReport& report) {
+void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, const Ranks& ranks,
+                 EpochReport& report) {
   const TrainOptions& options = card.options;
   const auto start = Clock::now();
   state.network->train();
-  torch::manual_seed(random_bits(make_stream(options.seed, "dropout"), report.epoch));
+  const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
   const auto batches =
       shuffled_batches(samples.cache.originals, options.batch_size, options.seed, report.epoch);
+  const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
   double loss_sum = 0;
-  for (std::size_t b = 0; b < batches.size(); ++b) {
-    const double progress = report.epoch - 1 + (b + 1.0) / batches.size();
+  for (std::size_t step = 0; step < steps; ++step) {
+    const double progress = report.epoch - 1 + (step + 1.0) / steps;
     report.learning_rate = learning_rate_at(options, progress, state.planned_epochs);
     static_cast<torch::optim::AdamWOptions&>(state.optimizer->param_groups()[0].options())
         .lr(report.learning_rate);
 
-    const ShownBatch shown = show(samples, batches[b], options, report.epoch);
-    const torch::Tensor said =
-        state.network->forward(image_tensor(shown.images, card.pixels), size_tensor(shown.images));
-    const torch::Tensor loss = batch_loss(said, samples, batches[b], shown.mirrored, card);
-    state.optimizer->zero_grad();
-    loss.backward();
+    StepSums sums(*state.network);
+    const std::size_t end = std::min(batches.size(), (step + 1) * per_step);
+    for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
+      sums.begin_batch();
+      torch::manual_seed(random_bits(noise, b));
+      const ShownBatch shown = show(samples, batches[b], options, report.epoch);
+      const torch::Tensor said =
+          state.network->forward(image_tensor(shown.images, card.pixels), size_tensor(shown.images));
+      const torch::Tensor loss = batch_loss(said, samples, batches[b], shown.mirrored, card);
+      state.optimizer->zero_grad();
+      loss.backward();
+      sums.add_batch(loss.item<double>() * static_cast<double>(batches[b].size()));
+    }
+    loss_sum += sums.finish(ranks);
     if (options.max_gradient > 0)
       torch::nn::utils::clip_grad_norm_(state.network->parameters(), options.max_gradient);
     state.optimizer->step();
     ++state.steps;
     update_average(state, options.ema_decay);
-    loss_sum += loss.item<double>() * static_cast<double>(batches[b].size());
   }
   const double images = static_cast<double>(samples.targets.size());
   report.training_loss = loss_sum / images;

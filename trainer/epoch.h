@@ -1,15 +1,20 @@
 #pragma once
 
 #include "trainer/model_card.h"
+#include "trainer/ranks.h"
 #include "trainer/samples.h"
 #include "trainer/train.h"
 #include "trainer/training_state.h"
 
 namespace cps {
 
-/// One pass over the training images, in this epoch's order. Fills in the report's learning rate, loss and
+/// One pass over the training images, in this epoch's order. A step takes the mean gradient of
+/// options.batches_per_step batches, each with its own batch normalisation; the processes share them out, and
+/// all end with the same weights. Statistics of batch normalisation are the mean of what each batch makes of
+/// them. Fills in the report's learning rate, loss and
 /// rate; its epoch is given.
-void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, EpochReport& report);
+void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, const Ranks& ranks,
+                 EpochReport& report);
 
 /// What `network` scores on the validation images, not augmented and not mirrored: the report's validation
 /// numbers.

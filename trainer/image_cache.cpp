@@ -16,20 +16,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct Failures {
+  std::vector<int> positions;
+  std::vector<std::string> reasons;
+
+  void add(std::size_t position, const std::string& reason) {
+    positions.push_back(static_cast<int>(position));
+    reasons.push_back(reason);
+  }
+  void check() {
+    if (!positions.empty()) throw BadImages(std::move(positions), std::move(reasons));
+  }
+};
+
 /// What the pixels depend on, as text. It opens the file, padded to `alignment`; the pixels follow.
 std::string cache_key(const Dataset& dataset, std::span<const int> images, const Reduction& reduction) {
   std::string key = "cps gray images 1\nwidth " + std::to_string(reduction.width) + " factor " +
                     std::to_string(reduction.factor) + "\n";
-  for (int i : images) {
-    const fs::path file = dataset.root / dataset.images[i].file;
-    std::error_code error;
-    const auto bytes = fs::file_size(file, error);
-    if (error)
-      throw std::runtime_error(file.string() +
-                               ": missing though the dataset lists it: restore it or make the dataset again");
-    key += dataset.images[i].file.string() + " " + std::to_string(bytes) + " " +
-           std::to_string(fs::last_write_time(file).time_since_epoch().count()) + "\n";
+  Failures missing;
+  for (std::size_t n = 0; n < images.size(); ++n) {
+    const fs::path& name = dataset.images[images[n]].file;
+    const fs::path file = dataset.root / name;
+    std::error_code no_size, no_time;
+    const auto bytes = fs::file_size(file, no_size);
+    const auto time = fs::last_write_time(file, no_time);
+    if (no_size || no_time)
+      missing.add(
+          n, file.string() + ": missing though the dataset lists it: restore it or make the dataset again");
+    else
+      key += name.string() + " " + std::to_string(bytes) + " " +
+             std::to_string(time.time_since_epoch().count()) + "\n";
   }
+  missing.check();
   constexpr std::size_t alignment = 4096;
   key.resize((key.size() + alignment) / alignment * alignment, '\0');
   return key;
@@ -67,6 +85,12 @@ GrayImage decode(const Dataset& dataset, int image, const Reduction& reduction) 
 
 }  // namespace
 
+BadImages::BadImages(std::vector<int> at, std::vector<std::string> why)
+    : std::runtime_error(why.front() +
+                         (why.size() > 1 ? " (and " + std::to_string(why.size() - 1) + " more)" : "")),
+      positions(std::move(at)),
+      reasons(std::move(why)) {}
+
 ImageCache load_image_cache(const Dataset& dataset, std::span<const int> images, const Reduction& reduction,
                             const fs::path& file) {
   const std::string key = cache_key(dataset, images, reduction);
@@ -86,10 +110,19 @@ ImageCache load_image_cache(const Dataset& dataset, std::span<const int> images,
     cache.was_decoded = true;
     auto bytes = std::make_shared<std::vector<std::uint8_t>>(end);
     std::memcpy(bytes->data(), key.data(), key.size());
+    std::vector<std::string> reasons(images.size());
     tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
-      const GrayImage gray = decode(dataset, images[i], reduction);
-      std::memcpy(bytes->data() + offsets[i], gray.pixels.data(), gray.pixels.size());
+      try {
+        const GrayImage gray = decode(dataset, images[i], reduction);
+        std::memcpy(bytes->data() + offsets[i], gray.pixels.data(), gray.pixels.size());
+      } catch (const std::runtime_error& error) {
+        reasons[i] = error.what();
+      }
     });
+    Failures failures;
+    for (std::size_t i = 0; i < reasons.size(); ++i)
+      if (!reasons[i].empty()) failures.add(i, reasons[i]);
+    failures.check();
     cache.memory = std::shared_ptr<const std::uint8_t>(bytes, bytes->data());
     if (!file.empty()) {
       write_file(file, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});

@@ -12,7 +12,6 @@ namespace cps {
 std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
   const Pinhole& camera = truth.camera;
   const FrameCertificate frame = certify_frame(truth.distortion, camera, one_to_one);
-  if (!frame.valid()) return std::nullopt;
   const int rows =
       std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
   RayGrid grid;
@@ -21,10 +20,11 @@ std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
       const Eigen::Vector2d pixel((c + .5) / columns * camera.width - .5,
                                   (r + .5) / rows * camera.height - .5);
       const auto ideal = undistort(truth.distortion, frame.rectangle, to_plane(camera, pixel));
-      if (!ideal) return std::nullopt;
+      if (!ideal) continue;
       grid.pixels.push_back(pixel);
       grid.ideal.push_back(*ideal);
     }
+  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : .9) * rows * columns) return std::nullopt;
   return grid;
 }
 

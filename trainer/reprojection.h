@@ -14,8 +14,9 @@ struct RayGrid {
   std::vector<Eigen::Vector2d> pixels, ideal;
 };
 
-/// About `columns` × columns·H/W points at the centres of equal cells. Empty when the lens is not one-to-one
-/// in its frame: then a pixel shows no one point.
+/// About `columns` × columns·H/W points at the centres of equal cells. Where the lens is one-to-one in its
+/// whole frame, all of them. Else those that the largest certified rectangle shows (KITTI's camera 03 folds
+/// just beyond its corners); empty when that is less than nine tenths: then most pixels show no one point.
 std::optional<RayGrid> ray_grid(const Calibration& truth, int columns = 24);
 
 /// Mean distance in pixels between where the truth and where the prediction puts the grid's points. Needs no

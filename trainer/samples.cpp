@@ -24,9 +24,22 @@ namespace {
 std::shared_ptr<const RayGrid> shared_rays(const Calibration& calibration, const std::string& label) {
   constexpr int columns = 12;
   auto rays = ray_grid(calibration, columns);
-  if (!rays)
+  if (!rays || !is_one_to_one(calibration))
     throw std::runtime_error(label + ": the lens is not one-to-one in its frame: make this group again");
   return std::make_shared<const RayGrid>(std::move(*rays));
+}
+
+/// The images' pixels. Those that cannot be used leave `images`, if they may.
+ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const SampleOptions& options,
+                         const std::filesystem::path& cache_file, std::vector<std::string>& skipped) {
+  for (;;) try {
+      return load_image_cache(dataset, images, options.reduction, cache_file);
+    } catch (const BadImages& bad) {
+      if (!options.skip_bad_images || bad.positions.size() == images.size()) throw;
+      for (std::size_t i = bad.positions.size(); i > 0; --i)
+        images.erase(images.begin() + bad.positions[i - 1]);
+      skipped.insert(skipped.end(), bad.reasons.begin(), bad.reasons.end());
+    }
 }
 
 /// One grid for all images of a group.
@@ -50,11 +63,12 @@ void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& 
 
 Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
                      const std::filesystem::path& cache_file) {
-  const std::vector<int> images = images_of(dataset, part);
+  std::vector<int> images = images_of(dataset, part);
   if (images.empty())
     throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
                              ": lists no image: make a dataset with more places or routes");
   Samples samples;
+  samples.cache = usable_images(dataset, images, options, cache_file, samples.skipped);
   for (int i : images) {
     const DatasetGroup& group = dataset.groups[dataset.images[i].group];
     const Calibration calibration{group.label.camera, group.label.distortion};
@@ -64,7 +78,6 @@ Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& opt
       throw std::runtime_error((dataset.root / group.folder / "calibration.json").string() +
                                ": holds a number that is not finite: make this group again");
   }
-  samples.cache = load_image_cache(dataset, images, options.reduction, cache_file);
   if (options.with_rays) add_rays(samples, dataset, images);
   return samples;
 }

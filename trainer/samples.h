@@ -21,13 +21,15 @@ struct Samples {
   ImageCache cache;
   std::vector<Outputs> targets;           ///< in the space asked for, not standardised
   std::vector<Outputs> mirrored_targets;  ///< of the flipped images
+  std::vector<std::string> skipped;       ///< one line for each image left out
   std::vector<std::shared_ptr<const RayGrid>> rays, mirrored_rays;  ///< empty unless asked for
 };
 
 struct SampleOptions {
   TargetSpace space = TargetSpace::apparent;
   Reduction reduction;
-  bool with_rays = false;  ///< for the reprojection loss
+  bool with_rays = false;        ///< for the reprojection loss
+  bool skip_bad_images = false;  ///< leave out what load_image_cache() refuses
 };
 
 /// Throws std::runtime_error with one line when the part is empty, an image is bad, or a label holds a number

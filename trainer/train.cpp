@@ -36,6 +36,12 @@ bool has_lost_patience(int patience, const std::vector<EpochReport>& epochs) {
   return patience > 0 && !epochs.empty() && epochs.back().epoch - best_of(epochs)->epoch >= patience;
 }
 
+/// Every process judges by the same numbers, or some would stop and leave others waiting.
+void agree(const Ranks& ranks, EpochReport& report) {
+  for (double* number : {&report.validation_loss, &report.validation_cosine, &report.validation_hfov_mae_deg})
+    *number = ranks.sum(*number) / ranks.count;
+}
+
 ModelCard start_card(const Dataset& dataset, const fs::path& model_folder, const TrainOptions& options,
                      bool resume) {
   ModelCard card;
@@ -61,10 +67,13 @@ ModelCard start_card(const Dataset& dataset, const fs::path& model_folder, const
 }  // namespace
 
 TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const TrainOptions& options,
-                   bool resume, const EpochCallback& on_epoch) {
+                   bool resume, const EpochCallback& on_epoch, const Ranks& ranks) {
   const auto start = Clock::now();
   ModelCard card = start_card(dataset, model_folder, options, resume);
   use_threads(card.options.threads);
+  if (card.options.batches_per_step % ranks.count != 0)
+    throw std::runtime_error("batches-per-step: " + std::to_string(card.options.batches_per_step) +
+                             " cannot be shared out among " + std::to_string(ranks.count) + " processes");
   std::error_code error;
   fs::create_directories(model_folder, error);
   if (error)
@@ -74,11 +83,17 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     return load_samples(dataset, part,
                         {.space = card.options.target_space,
                          .reduction = card.options.reduction,
-                         .with_rays = card.options.loss == Loss::reprojection},
+                         .with_rays = card.options.loss == Loss::reprojection,
+                         .skip_bad_images = card.options.skip_bad_images},
                         model_folder / cache);
   };
+  ranks.wait();                       // all have seen what was in the folder
+  if (ranks.rank != 0) ranks.wait();  // the first makes the caches
   const Samples training = load(Part::train, "train.cache"), validation = load(Part::val, "val.cache");
+  if (ranks.rank == 0) ranks.wait();
   TrainSummary summary;
+  for (const Samples* samples : {&training, &validation})
+    summary.skipped.insert(summary.skipped.end(), samples->skipped.begin(), samples->skipped.end());
   summary.decode_seconds = seconds_since(start);
   summary.training_images = card.training_images = static_cast<int>(training.targets.size());
   summary.validation_images = card.validation_images = static_cast<int>(validation.targets.size());
@@ -93,39 +108,44 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   TrainingState state = resume ? load_training_state(card.options, model_folder / "state.pt")
                                : fresh_training_state(card.options);
   for (const auto& parameter : state.network->parameters()) summary.parameters += parameter.numel();
-  if (!resume) save_model_card(card, model_folder);
+  if (!resume && ranks.rank == 0) save_model_card(card, model_folder);
 
   while (static_cast<int>(state.epochs.size()) < state.planned_epochs &&
          !has_lost_patience(card.options.patience, state.epochs)) {
     const auto epoch_start = Clock::now();
     EpochReport report;
     report.epoch = static_cast<int>(state.epochs.size()) + 1;
-    train_epoch(state, training, card, report);
+    train_epoch(state, training, card, ranks, report);
     validate(state.judged(), validation, card, report);
+    agree(ranks, report);
 
     const EpochReport* best = best_of(state.epochs);
     report.is_best = !best || report.validation_loss < best->validation_loss;
     const double epoch_seconds = seconds_since(epoch_start);
     if (card.options.minutes > 0 && report.epoch == 1)
       state.planned_epochs =
-          epochs_within(card.options.minutes, seconds_since(start), epoch_seconds, state.planned_epochs);
+          static_cast<int>(ranks.sum(epochs_within(card.options.minutes, seconds_since(start), epoch_seconds,
+                                                   state.planned_epochs)) /
+                           ranks.count);
     report.planned_epochs = state.planned_epochs;
     report.seconds_left = (state.planned_epochs - report.epoch) * epoch_seconds;
     state.epochs.push_back(report);
 
     // weights.pt first: a run killed in between repeats this epoch and writes the same weights again.
     if (report.is_best) {
-      save_tensors(weights_of(state.judged()), model_folder / "weights.pt");
       card.epoch = report.epoch;
       card.validation_loss = report.validation_loss;
     }
-    save_training_state(state, model_folder / "state.pt");
-    save_history(state.epochs, model_folder);
-    save_model_card(card, model_folder);
+    if (ranks.rank == 0) {
+      if (report.is_best) save_tensors(weights_of(state.judged()), model_folder / "weights.pt");
+      save_training_state(state, model_folder / "state.pt");
+      save_history(state.epochs, model_folder);
+      save_model_card(card, model_folder);
+    }
 
     const bool go_on = !on_epoch || on_epoch(report);
     const bool spent = card.options.minutes > 0 && seconds_since(start) >= card.options.minutes * 60;
-    if (!go_on || spent) break;
+    if (ranks.sum(!go_on || spent) > 0) break;
   }
   summary.is_finished = static_cast<int>(state.epochs.size()) >= state.planned_epochs ||
                         has_lost_patience(card.options.patience, state.epochs);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/reader.h"
+#include "trainer/ranks.h"
 #include "trainer/train_options.h"
 
 namespace cps {
@@ -32,8 +33,9 @@ struct TrainSummary {
   std::int64_t parameters = 0;
   double decode_seconds = 0, train_seconds = 0;  ///< of this run
   EpochReport best;
-  std::vector<EpochReport> epochs;  ///< all, those before a resume included
-  bool is_finished = false;         ///< false: stopped before the last planned epoch; a resume goes on
+  std::vector<EpochReport> epochs;   ///< all, those before a resume included
+  std::vector<std::string> skipped;  ///< one line for each image left out
+  bool is_finished = false;          ///< false: stopped before the last planned epoch; a resume goes on
 
   std::string brief_report() const;
 };
@@ -53,8 +55,12 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 /// the learning rate still passes through its whole schedule; should the machine slow down, no epoch is
 /// started once the budget is spent.
 ///
+/// With several processes each calls this with the same arguments and sees the same dataset and folder; the
+/// first writes. N processes make the weights that one makes of the same batches_per_step.
+///
 /// Throws std::runtime_error with one line on invalid options, unusable data, or a model of another dataset.
 TrainSummary train(const Dataset& dataset, const std::filesystem::path& model_folder,
-                   const TrainOptions& options, bool resume, const EpochCallback& on_epoch);
+                   const TrainOptions& options, bool resume, const EpochCallback& on_epoch,
+                   const Ranks& ranks = Ranks());
 
 }  // namespace cps

@@ -66,6 +66,8 @@ bool TrainOptions::is_valid(std::string* why) const {
   if (reduction.factor == 0 && reduction.width < 32) return refuse("width: must be at least 32 pixels");
   if (epochs < 1) return refuse("epochs: must be at least 1");
   if (batch_size < 2) return refuse("batch: must be at least 2 (batch normalisation)");
+  if (batches_per_step < 1 || batches_per_step > 4096)
+    return refuse("batches-per-step: must lie in [1, 4096]");
   if (!(learning_rate > 0 && learning_rate < 1)) return refuse("lr: must lie between 0 and 1");
   if (!(weight_decay >= 0 && weight_decay < 1)) return refuse("weight-decay: must lie in [0, 1)");
   if (!(warm_up_epochs >= 0)) return refuse("warm-up: must not be negative");
@@ -84,6 +86,7 @@ bool TrainOptions::is_valid(std::string* why) const {
 
 nlohmann::ordered_json to_json(const TrainOptions& o) {
   return {{"architecture", o.architecture},
+          {"initial_weights", o.initial_weights},
           {"size_features", o.size_features},
           {"target_space", to_string(o.target_space)},
           {"outputs", o.outputs},
@@ -92,6 +95,7 @@ nlohmann::ordered_json to_json(const TrainOptions& o) {
           {"factor", o.reduction.factor},
           {"epochs", o.epochs},
           {"batch_size", o.batch_size},
+          {"batches_per_step", o.batches_per_step},
           {"learning_rate", o.learning_rate},
           {"weight_decay", o.weight_decay},
           {"warm_up_epochs", o.warm_up_epochs},
@@ -99,6 +103,7 @@ nlohmann::ordered_json to_json(const TrainOptions& o) {
           {"decay", o.decay},
           {"dropout", o.dropout},
           {"max_gradient", o.max_gradient},
+          {"skip_bad_images", o.skip_bad_images},
           {"mirror", o.mirror},
           {"augmentation", to_json(o.augmentation)},
           {"ema_decay", o.ema_decay},
@@ -111,6 +116,7 @@ nlohmann::ordered_json to_json(const TrainOptions& o) {
 TrainOptions train_options_from_json(const nlohmann::json& json) {
   TrainOptions o;
   json.at("architecture").get_to(o.architecture);
+  json.at("initial_weights").get_to(o.initial_weights);
   json.at("size_features").get_to(o.size_features);
   json.at("outputs").get_to(o.outputs);
   o.loss = loss_from_string(json.at("loss").get<std::string>());
@@ -119,6 +125,7 @@ TrainOptions train_options_from_json(const nlohmann::json& json) {
   json.at("factor").get_to(o.reduction.factor);
   json.at("epochs").get_to(o.epochs);
   json.at("batch_size").get_to(o.batch_size);
+  json.at("batches_per_step").get_to(o.batches_per_step);
   json.at("learning_rate").get_to(o.learning_rate);
   json.at("weight_decay").get_to(o.weight_decay);
   json.at("warm_up_epochs").get_to(o.warm_up_epochs);
@@ -126,6 +133,7 @@ TrainOptions train_options_from_json(const nlohmann::json& json) {
   json.at("decay").get_to(o.decay);
   json.at("dropout").get_to(o.dropout);
   json.at("max_gradient").get_to(o.max_gradient);
+  json.at("skip_bad_images").get_to(o.skip_bad_images);
   json.at("mirror").get_to(o.mirror);
   o.augmentation = augmentation_from_json(json.at("augmentation"));
   json.at("ema_decay").get_to(o.ema_decay);

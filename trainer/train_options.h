@@ -24,7 +24,8 @@ Loss loss_from_string(const std::string& word);
 
 struct TrainOptions {
   std::string architecture = "resnet18";
-  bool size_features = true;  ///< the network is told the original image's size
+  std::string initial_weights;  ///< a file that start_from() reads; empty: drawn
+  bool size_features = true;    ///< the network is told the original image's size
   TargetSpace target_space = TargetSpace::apparent;
   /// Of output_names: those that are learned; the others stay at their training mean.
   std::vector<std::string> outputs{output_names.begin(), output_names.end()};
@@ -32,6 +33,7 @@ struct TrainOptions {
   Reduction reduction;
   int epochs = 20;
   int batch_size = 16;
+  int batches_per_step = 1;  ///< their mean gradient makes a step; a multiple of the number of processes
   double learning_rate = 1e-3;
   double weight_decay = 0.01;
   /// Linear from 0 over the first epochs, counted in epochs and fractions of one.
@@ -39,9 +41,10 @@ struct TrainOptions {
   /// The learning rate is multiplied by `decay` at each of these fractions of the planned epochs.
   std::vector<double> milestones{0.6, 0.85};
   double decay = 0.1;
-  double dropout = 0;       ///< of the features before the last layer
-  double max_gradient = 1;  ///< gradients of larger norm are scaled down to it; 0: never
-  bool mirror = true;       ///< show every second image flipped, with its exact label
+  double dropout = 0;            ///< of the features before the last layer
+  double max_gradient = 1;       ///< gradients of larger norm are scaled down to it; 0: never
+  bool skip_bad_images = false;  ///< leave out images that cannot be used, and say so; else they are an error
+  bool mirror = true;            ///< show every second image flipped, with its exact label
   Augmentation augmentation;
   double ema_decay = 0;  ///< of a running mean of the weights, which is then what is judged and kept; 0: none
   int patience = 0;      ///< stop after so many epochs without a better validation loss; 0: never

@@ -51,6 +51,8 @@ TrainingState fresh_training_state(const TrainOptions& options) {
   torch::manual_seed(mix64(options.seed));
   TrainingState state;
   state.network = make_resnet(*find_architecture(options.architecture), network_options(options));
+  if (!options.initial_weights.empty())
+    start_from(*state.network, load_tensors(options.initial_weights), options.initial_weights);
   if (options.ema_decay > 0) {
     state.average = make_resnet(*find_architecture(options.architecture), network_options(options));
     set_weights(*state.average, weights_of(*state.network), "");
@@ -84,6 +86,18 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
         file.string() + ": holds tensors this network lacks: the weights belong to another architecture");
 }
 
+void start_from(Network& network, NamedTensors weights, const std::filesystem::path& file) {
+  NamedTensors own = weights_of(network);
+  if (const auto first = weights.find("conv1.weight");
+      first != weights.end() && first->second.dim() == 4 && first->second.size(1) == 3)
+    first->second = first->second.sum(1, true);
+  for (const char* last : {"fc.weight", "fc.bias"})
+    if (const auto found = weights.find(last);
+        found == weights.end() || found->second.sizes() != own[last].sizes())
+      weights[last] = own[last].detach().clone();
+  set_weights(network, weights, file);
+}
+
 void update_average(TrainingState& state, double decay) {
   if (!state.average) return;
   const torch::NoGradGuard no_gradients;
@@ -111,7 +125,9 @@ void save_training_state(const TrainingState& state, const std::filesystem::path
   save_tensors(tensors, file);
 }
 
-TrainingState load_training_state(const TrainOptions& options, const std::filesystem::path& file) {
+TrainingState load_training_state(const TrainOptions& of_model, const std::filesystem::path& file) {
+  TrainOptions options = of_model;
+  options.initial_weights.clear();  // what was learned since is in `file`
   TrainingState state = fresh_training_state(options);
   const NamedTensors tensors = load_tensors(file);
   set_weights(*state.network, part_of(tensors, network_prefix), file);

@@ -6,6 +6,7 @@
 #include "apps/options.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
+#include "trainer/ranks.h"
 #include "trainer/train_presets.h"
 
 namespace po = boost::program_options;
@@ -29,6 +30,9 @@ struct Words {
 po::options_description training_flags(TrainOptions& o, Words& words) {
   po::options_description options("How to train (in brackets: without --preset)");
   flag(options, "arch", o.architecture, "resnet18, -34, -50, -101 or resnet34-nopool");
+  options.add_options()(
+      "init", po::value(&o.initial_weights),
+      "start from the weights in this file: a .pth of torchvision's ResNets, or a model's weights.pt");
   flag(options, "size-features", o.size_features, "tell the network the original image's size");
   flag(options, "loss", words.loss, "mse or huber, of standardised outputs; reprojection, in pixels");
   flag(options, "targets", words.target_space, "apparent (coefficients scaled by the half diagonal) or raw");
@@ -36,12 +40,15 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
   flag(options, "reduce", o.reduction.factor, "instead: divide both sides by this; 0: by width");
   flag(options, "epochs", o.epochs, "passes over the training images");
   flag(options, "batch", o.batch_size, "images per step, of one size");
+  flag(options, "batches-per-step", o.batches_per_step,
+       "whose mean gradient makes a step; a multiple of the number of processes");
   flag(options, "lr", o.learning_rate, "learning rate of AdamW");
   flag(options, "weight-decay", o.weight_decay, "of AdamW");
   flag(options, "warm-up", o.warm_up_epochs, "epochs over which the rate rises from 0");
   flag(options, "decay", o.decay, "the rate's factor at each milestone");
   flag(options, "dropout", o.dropout, "of the features before the last layer");
   flag(options, "max-gradient", o.max_gradient, "longer gradients are scaled down to it; 0: never");
+  flag(options, "skip-bad-images", o.skip_bad_images, "leave out images that cannot be used, and name them");
   flag(options, "mirror", o.mirror, "show every second image flipped, with its exact label");
   flag(options, "augment", o.augmentation.probability,
        "chance of each change that leaves the label true: blur, motion blur, gamma, noise, JPEG, contrast, "
@@ -96,11 +103,18 @@ int train_verb(const Arguments& arguments) {
   std::string why;
   if (!options.is_valid(&why)) throw po::error(why);
 
+  const Ranks ranks = join_ranks();
+  if (!values.count("batches-per-step")) options.batches_per_step = ranks.count;
   const Dataset dataset = read_dataset(data);
-  const TrainSummary summary = train(dataset, out, options, resume, [](const EpochReport& report) {
-    std::cout << to_string(report) << std::endl;
-    return true;
-  });
+  const TrainSummary summary = train(
+      dataset, out, options, resume,
+      [&](const EpochReport& report) {
+        if (ranks.rank == 0) std::cout << to_string(report) << std::endl;
+        return true;
+      },
+      ranks);
+  if (ranks.rank != 0) return 0;
+  for (const std::string& why : summary.skipped) std::cerr << "left out: " << why << "\n";
   std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
   return 0;
 }

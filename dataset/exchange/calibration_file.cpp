@@ -86,6 +86,28 @@ CalibrationFormat calibration_format_from_string(const std::string& name) {
   throw std::runtime_error("format: '" + name + "' is none of " + known);
 }
 
+std::string usual_file_name(CalibrationFormat format) {
+  switch (format) {
+    case CalibrationFormat::cps:
+      return "calibration.json";
+    case CalibrationFormat::opencv_yaml:
+      return "calibration.yml";
+    case CalibrationFormat::opencv_xml:
+      return "calibration.xml";
+    case CalibrationFormat::colmap:
+      return "cameras.txt";
+    case CalibrationFormat::ros:
+      return "camera_info.yaml";
+    case CalibrationFormat::kitti:
+      return "calib_cam_to_cam.txt";
+    case CalibrationFormat::kalibr:
+      return "camchain.yaml";
+    case CalibrationFormat::nerfstudio:
+      return "transforms.json";
+  }
+  return "";
+}
+
 std::vector<CalibratedCamera> read_calibration(const std::filesystem::path& file) {
   Cameras cameras = read_any(read_file(file), file.string(), file.stem().string());
   if (cameras.empty()) throw std::runtime_error(file.string() + ": has no camera in it");

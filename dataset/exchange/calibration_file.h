@@ -16,6 +16,9 @@ enum class CalibrationFormat { cps, opencv_yaml, opencv_xml, colmap, ros, kitti,
 std::string to_string(CalibrationFormat format);
 CalibrationFormat calibration_format_from_string(const std::string& name);
 
+/// What programs that read the format look for: "cameras.txt", …
+std::string usual_file_name(CalibrationFormat format);
+
 /// The cameras of a file of any of these formats, told apart by what it says. Centres of pixels are converted
 /// to ours. A camera that the format leaves nameless is named after the file. Throws std::runtime_error in
 /// one line, `<file>: <camera or field>: <what is wrong>`: unknown formats, models that are not

@@ -86,6 +86,32 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
   CHECK_THAT(rest.skipped[0], Catch::StartsWith(spoilt.string()));
 }
 
+TEST_CASE("a prediction has a spread that is the same each time, and a certified lens") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(
+      folder.path / "data",
+      {.sizes = {{96, 54}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
+  TrainOptions options;
+  options.reduction.width = 48;
+  options.epochs = 2;
+  options.batch_size = 8;
+  train(dataset, folder.path / "model", options, false, {});
+  const Predictor predictor(folder.path / "model");
+  const std::vector<std::filesystem::path> file{dataset.root / dataset.images[0].file};
+  const ImagePrediction one = predict_images(predictor, file).at(0),
+                        again = predict_images(predictor, file).at(0);
+  CHECK(one.spread == again.spread);
+  for (double s : one.spread) CHECK(s > 0);
+  REQUIRE(one.certified);
+  CHECK(is_one_to_one(one.certified->calibration));
+  const ImagePrediction plain = predict_images(predictor, file, {.looks = 0}).at(0);
+  CHECK(plain.spread == Outputs{});
+  CHECK(plain.raw == one.raw);
+  CHECK_THAT(report(std::vector{one}), Catch::Contains("spread"));
+  CHECK_THAT(report(std::vector{plain}), !Catch::Contains("spread"));
+  CHECK(to_json(std::vector{one}).at(0).at("certified").at("kept") <= 1);
+}
+
 TEST_CASE("a folder that is no model is refused in one line") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(Predictor(folder.path), Catch::StartsWith((folder.path / "model.json").string() + ": "));

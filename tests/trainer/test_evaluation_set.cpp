@@ -49,6 +49,23 @@ TEST_CASE("KITTI raw folders are found with the calibration of their date") {
   CHECK_THROWS_WITH(kitti_evaluation_set(folder.path), Catch::Contains("K_00"));
 }
 
+TEST_CASE("all four KITTI cameras can be measured, one of which folds just beyond its corners") {
+  // Cameras 01, 02 and 03 of 2011_09_26.
+  const std::vector<Calibration> cameras{{{1392, 512, 989.5267, 987.8386, 702.0, 245.559},
+                                          {-.3644661, .1790019, -.05314062, .001148107, -.0006298563}},
+                                         {{1392, 512, 959.7910, 956.9251, 696.0217, 224.1806},
+                                          {-.3691481, .1968681, -.06770705, .001353473, .0005677587}},
+                                         {{1392, 512, 903.7596, 901.9653, 695.7519, 224.2509},
+                                          {-.3639558, .1788651, -.05382460, .0006029694, -.0003922424}}};
+  for (const Calibration& camera : cameras) {
+    const auto rays = ray_grid(camera);
+    REQUIRE(rays);
+    CHECK(rays->pixels.size() >= .9 * 24 * 9);
+    CHECK(reprojection_error_px(*rays, camera) < 1e-6);
+  }
+  CHECK_FALSE(is_one_to_one(cameras[2]));
+}
+
 TEST_CASE("images of one place are one cluster, whatever their lens") {
   const TemporaryFolder folder;
   const Dataset dataset = make_street_dataset(
