@@ -30,11 +30,6 @@ void check_equal(const NamedTensors& a, const NamedTensors& b) {
   }
 }
 
-/// Whether Debian's python3-torch (or another) is there.
-bool has_python_torch() {
-  return std::system("/usr/bin/python3 -c 'import torch' 2>/dev/null") == 0;
-}
-
 void run_python(const std::filesystem::path& folder, const std::string& program) {
   write_file(folder / "program.py", program);
   REQUIRE(std::system(("cd " + folder.string() + " && /usr/bin/python3 program.py").c_str()) == 0);
@@ -93,10 +88,7 @@ TEST_CASE("a network starts from weights for colour pictures") {
 }
 
 TEST_CASE("Python's torch reads our weights and we read its", "[slow]") {
-  if (!has_python_torch()) {
-    WARN("no Python torch (apt-get install python3-torch): not tested");
-    return;
-  }
+  REQUIRE(std::system("/usr/bin/python3 -c 'import torch'") == 0);  // apt-get install python3-torch
   const TemporaryFolder folder;
   save_tensors(some_tensors(), folder.path / "ours.pt");
   run_python(folder.path, R"(
