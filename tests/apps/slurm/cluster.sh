@@ -73,9 +73,15 @@ lose() {
   done
 }
 
+# Waits for their end: they still write into the folder.
 stop() {
+  local daemon pid i
   for daemon in node1 node2 slurmctld munged; do
-    pid=$(cat "$folder/$daemon.pid" 2>/dev/null) && kill "$pid" 2>/dev/null || true
+    pid=$(cat "$folder/$daemon.pid" 2>/dev/null) && kill "$pid" 2>/dev/null || continue
+    for ((i = 0; i < 200; ++i)); do
+      kill -0 "$pid" 2>/dev/null || break
+      sleep 0.1
+    done
   done
 }
 
