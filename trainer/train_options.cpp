@@ -8,30 +8,79 @@
 namespace cps {
 namespace {
 
-nlohmann::ordered_json to_json(const Augmentation& a) {
-  return {{"probability", a.probability},
-          {"max_blur_sigma_px", a.max_blur_sigma_px},
-          {"max_motion_blur_px", a.max_motion_blur_px},
-          {"max_gamma", a.max_gamma},
-          {"max_iso_noise", a.max_iso_noise},
-          {"min_jpeg_quality", a.min_jpeg_quality},
-          {"max_brightness", a.max_brightness},
-          {"max_contrast", a.max_contrast},
-          {"max_cutout", a.max_cutout}};
+/// The options' names in a model, in their order.
+template <typename A, typename Visit>
+void for_each_augmentation_key(A& a, Visit visit) {
+  visit("probability", a.probability);
+  visit("max_blur_sigma_px", a.max_blur_sigma_px);
+  visit("max_motion_blur_px", a.max_motion_blur_px);
+  visit("max_gamma", a.max_gamma);
+  visit("max_iso_noise", a.max_iso_noise);
+  visit("min_jpeg_quality", a.min_jpeg_quality);
+  visit("max_brightness", a.max_brightness);
+  visit("max_contrast", a.max_contrast);
+  visit("max_cutout", a.max_cutout);
 }
 
-Augmentation augmentation_from_json(const nlohmann::json& json) {
-  Augmentation a;
-  json.at("probability").get_to(a.probability);
-  json.at("max_blur_sigma_px").get_to(a.max_blur_sigma_px);
-  json.at("max_motion_blur_px").get_to(a.max_motion_blur_px);
-  json.at("max_gamma").get_to(a.max_gamma);
-  json.at("max_iso_noise").get_to(a.max_iso_noise);
-  json.at("min_jpeg_quality").get_to(a.min_jpeg_quality);
-  json.at("max_brightness").get_to(a.max_brightness);
-  json.at("max_contrast").get_to(a.max_contrast);
-  json.at("max_cutout").get_to(a.max_cutout);
-  return a;
+template <typename O, typename Visit>
+void for_each_key(O& o, Visit visit) {
+  visit("architecture", o.architecture);
+  visit("initial_weights", o.initial_weights);
+  visit("size_features", o.size_features);
+  visit("target_space", o.target_space);
+  visit("outputs", o.outputs);
+  visit("loss", o.loss);
+  visit("width", o.reduction.width);
+  visit("factor", o.reduction.factor);
+  visit("epochs", o.epochs);
+  visit("batch_size", o.batch_size);
+  visit("batches_per_step", o.batches_per_step);
+  visit("learning_rate", o.learning_rate);
+  visit("weight_decay", o.weight_decay);
+  visit("warm_up_epochs", o.warm_up_epochs);
+  visit("milestones", o.milestones);
+  visit("decay", o.decay);
+  visit("dropout", o.dropout);
+  visit("max_gradient", o.max_gradient);
+  visit("skip_bad_images", o.skip_bad_images);
+  visit("mirror", o.mirror);
+  visit("augmentation", o.augmentation);
+  visit("ema_decay", o.ema_decay);
+  visit("patience", o.patience);
+  visit("seed", o.seed);
+  visit("threads", o.threads);
+  visit("minutes", o.minutes);
+}
+
+/// Options as JSON holds them: enumerations by their words, the augmentation as an object of its own.
+template <typename T>
+nlohmann::ordered_json json_value(const T& value) {
+  return value;
+}
+nlohmann::ordered_json json_value(Loss value) {
+  return to_string(value);
+}
+nlohmann::ordered_json json_value(TargetSpace value) {
+  return to_string(value);
+}
+nlohmann::ordered_json json_value(const Augmentation& augmentation) {
+  nlohmann::ordered_json json;
+  for_each_augmentation_key(augmentation, [&](const char* key, const auto& value) { json[key] = value; });
+  return json;
+}
+
+template <typename T>
+void set_value(const nlohmann::json& json, T& value) {
+  json.get_to(value);
+}
+void set_value(const nlohmann::json& json, Loss& value) {
+  value = loss_from_string(json.get<std::string>());
+}
+void set_value(const nlohmann::json& json, TargetSpace& value) {
+  value = target_space_from_string(json.get<std::string>());
+}
+void set_value(const nlohmann::json& json, Augmentation& augmentation) {
+  for_each_augmentation_key(augmentation, [&](const char* key, auto& value) { json.at(key).get_to(value); });
 }
 
 }  // namespace
@@ -84,64 +133,16 @@ bool TrainOptions::is_valid(std::string* why) const {
   return true;
 }
 
-nlohmann::ordered_json to_json(const TrainOptions& o) {
-  return {{"architecture", o.architecture},
-          {"initial_weights", o.initial_weights},
-          {"size_features", o.size_features},
-          {"target_space", to_string(o.target_space)},
-          {"outputs", o.outputs},
-          {"loss", to_string(o.loss)},
-          {"width", o.reduction.width},
-          {"factor", o.reduction.factor},
-          {"epochs", o.epochs},
-          {"batch_size", o.batch_size},
-          {"batches_per_step", o.batches_per_step},
-          {"learning_rate", o.learning_rate},
-          {"weight_decay", o.weight_decay},
-          {"warm_up_epochs", o.warm_up_epochs},
-          {"milestones", o.milestones},
-          {"decay", o.decay},
-          {"dropout", o.dropout},
-          {"max_gradient", o.max_gradient},
-          {"skip_bad_images", o.skip_bad_images},
-          {"mirror", o.mirror},
-          {"augmentation", to_json(o.augmentation)},
-          {"ema_decay", o.ema_decay},
-          {"patience", o.patience},
-          {"seed", o.seed},
-          {"threads", o.threads},
-          {"minutes", o.minutes}};
+nlohmann::ordered_json to_json(const TrainOptions& options) {
+  nlohmann::ordered_json json;
+  for_each_key(options, [&](const char* key, const auto& value) { json[key] = json_value(value); });
+  return json;
 }
 
 TrainOptions train_options_from_json(const nlohmann::json& json) {
-  TrainOptions o;
-  json.at("architecture").get_to(o.architecture);
-  json.at("initial_weights").get_to(o.initial_weights);
-  json.at("size_features").get_to(o.size_features);
-  json.at("outputs").get_to(o.outputs);
-  o.loss = loss_from_string(json.at("loss").get<std::string>());
-  o.target_space = target_space_from_string(json.at("target_space").get<std::string>());
-  json.at("width").get_to(o.reduction.width);
-  json.at("factor").get_to(o.reduction.factor);
-  json.at("epochs").get_to(o.epochs);
-  json.at("batch_size").get_to(o.batch_size);
-  json.at("batches_per_step").get_to(o.batches_per_step);
-  json.at("learning_rate").get_to(o.learning_rate);
-  json.at("weight_decay").get_to(o.weight_decay);
-  json.at("warm_up_epochs").get_to(o.warm_up_epochs);
-  json.at("milestones").get_to(o.milestones);
-  json.at("decay").get_to(o.decay);
-  json.at("dropout").get_to(o.dropout);
-  json.at("max_gradient").get_to(o.max_gradient);
-  json.at("skip_bad_images").get_to(o.skip_bad_images);
-  json.at("mirror").get_to(o.mirror);
-  o.augmentation = augmentation_from_json(json.at("augmentation"));
-  json.at("ema_decay").get_to(o.ema_decay);
-  json.at("patience").get_to(o.patience);
-  json.at("seed").get_to(o.seed);
-  json.at("threads").get_to(o.threads);
-  json.at("minutes").get_to(o.minutes);
-  return o;
+  TrainOptions options;
+  for_each_key(options, [&](const char* key, auto& value) { set_value(json.at(key), value); });
+  return options;
 }
 
 double learning_rate_at(const TrainOptions& options, double progress, int planned_epochs) {

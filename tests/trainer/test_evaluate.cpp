@@ -10,17 +10,25 @@
 
 using namespace cps;
 
+namespace {
+
+Predictor briefly_trained(const Dataset& dataset, const std::filesystem::path& model) {
+  TrainOptions options;
+  options.reduction.width = 48;
+  options.epochs = 2;
+  options.batch_size = 8;
+  train(dataset, model, options, false, {});
+  return Predictor(model);
+}
+
+}  // namespace
+
 TEST_CASE("a trained model is loaded, measured and asked, and says the same each time") {
   const TemporaryFolder folder;
   const Dataset dataset = make_street_dataset(
       folder.path / "data",
       {.sizes = {{96, 54}, {80, 64}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
-  TrainOptions options;
-  options.reduction.width = 48;
-  options.epochs = 2;
-  options.batch_size = 8;
-  train(dataset, folder.path / "model", options, false, {});
-  const Predictor predictor(folder.path / "model");
+  const Predictor predictor = briefly_trained(dataset, folder.path / "model");
 
   const Evaluation evaluation =
       evaluate(predictor, evaluation_set(dataset, Part::test), {.resamples = 50, .robustness = true});
@@ -91,12 +99,7 @@ TEST_CASE("a prediction has a spread that is the same each time, and a certified
   const Dataset dataset = make_street_dataset(
       folder.path / "data",
       {.sizes = {{96, 54}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
-  TrainOptions options;
-  options.reduction.width = 48;
-  options.epochs = 2;
-  options.batch_size = 8;
-  train(dataset, folder.path / "model", options, false, {});
-  const Predictor predictor(folder.path / "model");
+  const Predictor predictor = briefly_trained(dataset, folder.path / "model");
   const std::vector<std::filesystem::path> file{dataset.root / dataset.images[0].file};
   const ImagePrediction one = predict_images(predictor, file).at(0),
                         again = predict_images(predictor, file).at(0);
