@@ -8,6 +8,8 @@
 
 #include "dataset/files.h"
 #include "dataset/image_file.h"
+#include "dataset/master_file.h"
+#include "dataset/masters.h"
 #include "distortion/render_noise.h"
 #include "renderer/cpu_time.h"
 #include "sensor/develop.h"
@@ -66,6 +68,21 @@ ImageRecord make_image(const Plan& plan, const PlannedView& view, const PlannedG
   return record;
 }
 
+MasterRecord keep_master(const Plan& plan, const PlannedView& view, const NoisyMaster& master,
+                         const fs::path& root, ImageTimes& times) {
+  MasterRecord record{.file = master_file_name(plan, view), .bytes = 0, .sha256 = {}};
+  std::string bytes;
+  {
+    const StageClock clock(times.encode_ns);
+    bytes = encode_master(master);
+    record.bytes = bytes.size();
+    record.sha256 = sha256(bytes);
+  }
+  const StageClock clock(times.write_ns);
+  write_file(root / record.file, bytes);
+  return record;
+}
+
 }  // namespace
 
 ViewRecord make_images(const Plan& plan, std::int64_t index, const RenderedHalves& halves,
@@ -98,6 +115,7 @@ ViewRecord make_images(const Plan& plan, std::int64_t index, const RenderedHalve
       tbb::simple_partitioner());
   for (const std::exception_ptr& error : errors)
     if (error) std::rethrow_exception(error);
+  if (plan.recipe.keep_masters) record.master = keep_master(plan, view, master, root, times);
   return record;
 }
 

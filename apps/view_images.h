@@ -14,9 +14,9 @@ struct ImageTimes {
   std::atomic<std::int64_t> warp_ns = 0, develop_ns = 0, encode_ns = 0, write_ns = 0;
 };
 
-/// Makes a view's images of its render and writes them, several at a time, each on one thread. The sensor is
-/// drawn from the view and the group's number alone, so that it knows nothing of the lens. Throws
-/// std::runtime_error in one line when a file cannot be written.
+/// Makes a view's images of its render and writes them, and the render where masters are kept; several at a
+/// time, each on one thread. The sensor is drawn from the view and the group's number alone, so that it knows
+/// nothing of the lens. Throws std::runtime_error in one line when a file cannot be written.
 ViewRecord make_images(const Plan& plan, std::int64_t view, const RenderedHalves& halves,
                        const std::filesystem::path& root, ImageTimes& times);
 

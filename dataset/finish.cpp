@@ -8,6 +8,7 @@
 #include "dataset/files.h"
 #include "dataset/frames.h"
 #include "dataset/group_label.h"
+#include "dataset/masters.h"
 #include "sampler/recipe_keys.h"
 #include "sampler/recipe_values.h"
 
@@ -105,6 +106,10 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     write_file(root / plan.groups[g].folder / "frames.csv", frames_csv(frames_of_group[g]));
   }
 
+  if (plan.recipe.keep_masters) {
+    for (const PlannedSet& set : plan.sets) remove_temporaries(root / "masters" / set.folder);
+    write_file(root / "masters.csv", masters_csv(plan, records));
+  }
   for (const char* folder : {"scenes", "splits", ".cps"})
     if (std::filesystem::is_directory(root / folder)) remove_temporaries(root / folder);
 

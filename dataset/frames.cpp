@@ -2,42 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <sstream>
-#include <stdexcept>
-
-#include "dataset/files.h"
+#include "dataset/csv.h"
 #include "distortion/pinhole.h"
 
 namespace cps {
-namespace {
-
-/// A field as RFC 4180 has it: quoted only when it must be.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::vector<std::string> csv_fields(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
-      fields.back() += line[++i];
-    else if (c == '"')
-      is_quoted = !is_quoted;
-    else if (c == ',' && !is_quoted)
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
-}
-
-}  // namespace
 
 std::string frames_csv(const std::vector<Frame>& frames) {
   std::string csv =
@@ -63,28 +31,16 @@ std::string frames_csv(const std::vector<Frame>& frames) {
 }
 
 std::vector<FrameRow> read_frames_csv(const std::filesystem::path& file) {
-  std::istringstream lines(read_file(file));
-  std::string line;
-  std::getline(lines, line);
-  const std::vector<std::string> header = csv_fields(line);
-  const auto column = [&](const char* name) {
-    const auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) throw std::runtime_error(file.string() + ": " + name + ": column is missing");
-    return static_cast<std::size_t>(found - header.begin());
-  };
-  const std::size_t name = column("file"), part = column("part"), condition = column("condition"),
-                    street = column("street"), hash = column("sha256"), exposure = column("exposure"),
-                    bias = column("exposure_bias_ev");
+  const CsvTable table = read_csv(file);
+  const std::size_t name = table.column("file"), part = table.column("part"),
+                    condition = table.column("condition"), street = table.column("street"),
+                    hash = table.column("sha256"), exposure = table.column("exposure"),
+                    bias = table.column("exposure_bias_ev");
   std::vector<FrameRow> rows;
-  while (std::getline(lines, line)) {
-    const std::vector<std::string> fields = csv_fields(line);
-    if (fields.size() != header.size())
-      throw std::runtime_error(file.string() + ": line " + std::to_string(rows.size() + 2) + ": has " +
-                               std::to_string(fields.size()) + " fields, its header " +
-                               std::to_string(header.size()));
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const std::vector<std::string>& fields = table.rows[r];
     rows.push_back({fields[name], fields[part], fields[condition], fields[street], fields[hash],
-                    std::strtod(fields[exposure].c_str(), nullptr),
-                    std::strtod(fields[bias].c_str(), nullptr)});
+                    table.number(r, exposure), table.number(r, bias)});
   }
   return rows;
 }

@@ -27,6 +27,7 @@ bool is_made(const std::filesystem::path& dataset, const Plan& plan, std::int64_
              const std::map<std::int64_t, ViewRecord>& records) {
   const auto record = records.find(view);
   return record != records.end() && record->second.images.size() == plan.views[view].groups.size() &&
+         record->second.master.has_value() == plan.recipe.keep_masters &&
          has_its_images(dataset, record->second);
 }
 

@@ -93,11 +93,13 @@ fs::path folder_lock(const fs::path& dataset) {
 }
 
 bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
-  return std::all_of(record.images.begin(), record.images.end(), [&](const ImageRecord& image) {
+  const auto is_there = [&](const auto& made) {
     std::error_code missing;
-    const std::uintmax_t bytes = fs::file_size(dataset / image.file, missing);
-    return !missing && bytes == image.bytes;
-  });
+    const std::uintmax_t bytes = fs::file_size(dataset / made.file, missing);
+    return !missing && bytes == made.bytes;
+  };
+  return std::all_of(record.images.begin(), record.images.end(), is_there) &&
+         (!record.master || is_there(*record.master));
 }
 
 Journal::Journal(const fs::path& dataset, const Shard& shard)

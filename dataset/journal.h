@@ -27,8 +27,9 @@ std::vector<std::int64_t> journalled_shard_counts(const std::filesystem::path& d
 /// Held shared by who makes images in a folder, and alone by who finishes it.
 std::filesystem::path folder_lock(const std::filesystem::path& dataset);
 
-/// Whether all images of a view are there, each as long as when it was written. Their bytes are not read: a
-/// crash may cut a file short, and verify finds what else can happen to one.
+/// Whether all images of a view are there, and its master if it was kept, each as long as when it was
+/// written. Their bytes are not read: a crash may cut a file short, and verify finds what else can happen to
+/// one.
 bool has_its_images(const std::filesystem::path& dataset, const ViewRecord& record);
 
 /// One shard's journal, held by one process.

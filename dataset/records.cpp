@@ -14,7 +14,11 @@ nlohmann::ordered_json to_json(const ViewRecord& record) {
                       {"bytes", image.bytes},
                       {"sha256", image.sha256},
                       {"pixels_sha256", image.pixels_sha256}});
-  return {{"view", record.view}, {"exposure", record.exposure}, {"images", images}};
+  nlohmann::ordered_json json = {{"view", record.view}, {"exposure", record.exposure}, {"images", images}};
+  if (record.master)
+    json["master"] = {
+        {"file", record.master->file}, {"bytes", record.master->bytes}, {"sha256", record.master->sha256}};
+  return json;
 }
 
 ViewRecord view_record_from_json(const nlohmann::json& json, const std::string& file) {
@@ -32,6 +36,12 @@ ViewRecord view_record_from_json(const nlohmann::json& json, const std::string& 
                              .bytes = image.unsigned_integer("bytes"),
                              .sha256 = image.text("sha256"),
                              .pixels_sha256 = image.text("pixels_sha256")});
+  }
+  if (json.contains("master")) {
+    const JsonKeys master{keys.at("master"), file};
+    record.master = {.file = master.text("file"),
+                     .bytes = master.unsigned_integer("bytes"),
+                     .sha256 = master.text("sha256")};
   }
   return record;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,18 @@ struct ImageRecord {
   std::string pixels_sha256;  ///< of the decoded pixels, rows from the top
 };
 
-/// A view all of whose images are under their final names.
+struct MasterRecord {
+  std::string file;         ///< relative to the dataset
+  std::uint64_t bytes = 0;  ///< of the file
+  std::string sha256;       ///< of the file
+};
+
+/// A view all of whose images are under their final names, and its master, if it is kept.
 struct ViewRecord {
   std::int64_t view = 0;  ///< index into Plan::views
   double exposure = 1;    ///< metered on the master
   std::vector<ImageRecord> images;
+  std::optional<MasterRecord> master = {};
 };
 
 nlohmann::ordered_json to_json(const ViewRecord& record);

@@ -13,6 +13,8 @@
 #include "dataset/files.h"
 #include "dataset/frames.h"
 #include "dataset/image_file.h"
+#include "dataset/master_file.h"
+#include "dataset/masters.h"
 #include "dataset/reader.h"
 #include "dataset/verify_label.h"
 
@@ -37,6 +39,19 @@ ImageCheck check_image(const fs::path& file, const Label& label, const std::stri
   return {error.what(), ""};
 }
 
+/// Empty when nothing is wrong.
+std::string master_fault(const fs::path& root, const KeptMaster& master) try {
+  if (sha256(read_file(root / master.file)) != master.sha256)
+    return "its bytes do not match sha256 in masters.csv";
+  const NoisyMaster pixels = read_master(root / master.file);
+  const OIIO::ImageSpec& size = pixels.picture.spec();
+  if (size.width != master.camera.width || size.height != master.camera.height)
+    return "its size contradicts masters.csv";
+  return "";
+} catch (const std::runtime_error& error) {
+  return error.what();
+}
+
 bool is_image(const fs::path& file) {
   return file.extension() != ".csv" && file.extension() != ".json";
 }
@@ -52,6 +67,7 @@ class Verifier {
     read_frames();
     check_lists();
     check_images();
+    check_masters();
     check_streets();
     return summary_;
   }
@@ -137,6 +153,20 @@ class Verifier {
     summary_.images = static_cast<std::int64_t>(checks.size());
   }
 
+  void check_masters() {
+    if (!fs::exists(dataset_.root / "masters.csv")) return;
+    const std::vector<KeptMaster> masters = read_masters(dataset_.root);
+    std::vector<std::string> faults(masters.size());
+    tbb::parallel_for(std::size_t{0}, masters.size(),
+                      [&](std::size_t i) { faults[i] = master_fault(dataset_.root, masters[i]); });
+    for (std::size_t i = 0; i < masters.size(); ++i)
+      if (!faults[i].empty()) fault(masters[i].file, faults[i]);
+    const std::int64_t views = description_.value("views", std::int64_t{-1});
+    if (views != static_cast<std::int64_t>(masters.size()))
+      fault("masters.csv", fmt::format("lists {} masters, dataset.json {} views", masters.size(), views));
+    summary_.masters = static_cast<std::int64_t>(masters.size());
+  }
+
   /// What tells a scene's streets from others': those of a city are the same on all its days.
   std::string streets_of(const nlohmann::json& condition) const {
     const std::string file = condition.value("scene", "");
@@ -177,8 +207,10 @@ class Verifier {
 
 std::string VerifySummary::brief() const {
   return fmt::format(
-      "{} groups, {} images, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px outside",
-      groups, images, faults.size(), worst_roundtrip_px, least_rim_margin_px);
+      "{} groups, {} images{}, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px "
+      "outside",
+      groups, images, masters > 0 ? fmt::format(", {} masters", masters) : "", faults.size(),
+      worst_roundtrip_px, least_rim_margin_px);
 }
 
 VerifySummary verify_dataset(const fs::path& root) {

@@ -71,6 +71,7 @@ struct Recipe {
   // Files.
   ImageFormat image_format = ImageFormat::png;
   int jpeg_quality = 95;
+  bool keep_masters = false;  ///< of every view, so that training can draw lenses of its own
 
   CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 

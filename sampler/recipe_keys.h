@@ -62,6 +62,8 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 
   visit("image_format", r.image_format, "png, png_gray, jpeg, or exr: linear, without sensor noise");
   visit("jpeg_quality", r.jpeg_quality, "1 to 100, colours not subsampled");
+  visit("keep_masters", r.keep_masters,
+        "keep every view's undistorted render too, for cps train --online-lenses");
 }
 
 }  // namespace cps

@@ -2,17 +2,22 @@
 
 #include <torch/types.h>
 
-#include <vector>
+#include <memory>
+#include <span>
 
-#include "trainer/batches.h"
 #include "trainer/model_card.h"
-#include "trainer/samples.h"
+#include "trainer/reprojection.h"
 
 namespace cps {
 
-/// The loss that the model is trained by, of what it says ([n, 8], standardised) of a batch of samples;
-/// `mirrored`, empty or one per image, tells which were shown flipped.
-torch::Tensor batch_loss(const torch::Tensor& said, const Samples& samples, const Batch& batch,
-                         const std::vector<bool>& mirrored, const ModelCard& card);
+/// The truth about the images of a batch, which have one size.
+struct BatchTruth {
+  ImageSize size;                                    ///< before reduction
+  std::vector<Outputs> targets;                      ///< not standardised
+  std::vector<std::shared_ptr<const RayGrid>> rays;  ///< for the reprojection loss only
+};
+
+/// The loss that the model is trained by, of what it says ([n, 8], standardised) of a batch.
+torch::Tensor batch_loss(const torch::Tensor& said, const BatchTruth& truth, const ModelCard& card);
 
 }  // namespace cps

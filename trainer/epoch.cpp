@@ -17,29 +17,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What one batch shows: the images, changed for this epoch.
-struct ShownBatch {
-  std::vector<BatchImage> images;
-  std::vector<bool> mirrored;
-  std::vector<GrayImage> changed;  ///< what `images` point into
-};
+BatchTruth truth_of(const std::vector<ShownImage>& shown) {
+  BatchTruth truth{.size = shown.front().original, .targets = {}, .rays = {}};
+  for (const ShownImage& image : shown) {
+    truth.targets.push_back(image.target);
+    if (image.rays) truth.rays.push_back(image.rays);
+  }
+  return truth;
+}
 
-ShownBatch show(const Samples& samples, const Batch& batch, const TrainOptions& options, int epoch) {
-  ShownBatch shown;
-  const Stream changes = substream(make_stream(options.seed, "augmentation"), epoch);
+BatchTruth truth_of(const Samples& samples, const Batch& batch) {
+  BatchTruth truth{.size = samples.cache.originals[batch.front()], .targets = {}, .rays = {}};
   for (int i : batch) {
-    shown.mirrored.push_back(options.mirror && is_mirrored(options.seed, epoch, i));
-    if (options.augmentation.probability > 0)
-      shown.changed.push_back(
-          augmented(samples.cache.images[i], options.augmentation, substream(changes, i)));
+    truth.targets.push_back(samples.targets[i]);
+    if (!samples.rays.empty()) truth.rays.push_back(samples.rays[i]);
   }
-  for (std::size_t n = 0; n < batch.size(); ++n) {
-    const GrayView view = shown.changed.empty()
-                              ? samples.cache.images[batch[n]]
-                              : GrayView{shown.changed[n].size, shown.changed[n].pixels.data()};
-    shown.images.push_back({view, samples.cache.originals[batch[n]], shown.mirrored[n]});
-  }
-  return shown;
+  return truth;
 }
 
 /// Of the outputs that are learned.
@@ -128,14 +121,13 @@ class StepSums {
 
 }  // namespace
 
-void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, const Ranks& ranks,
+void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card, const Ranks& ranks,
                  EpochReport& report) {
   const TrainOptions& options = card.options;
   const auto start = Clock::now();
   state.network->train();
   const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
-  const auto batches =
-      shuffled_batches(samples.cache.originals, options.batch_size, options.seed, report.epoch);
+  const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);
   const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
   double loss_sum = 0;
   for (std::size_t step = 0; step < steps; ++step) {
@@ -149,10 +141,11 @@ void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& 
     for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
       sums.begin_batch();
       torch::manual_seed(random_bits(noise, b));
-      const ShownBatch shown = show(samples, batches[b], options, report.epoch);
+      const std::vector<ShownImage> shown = show(set, batches[b], options, report.epoch);
+      const std::vector<BatchImage> images = network_images(shown);
       const torch::Tensor said =
-          state.network->forward(image_tensor(shown.images, card.pixels), size_tensor(shown.images));
-      const torch::Tensor loss = batch_loss(said, samples, batches[b], shown.mirrored, card);
+          state.network->forward(image_tensor(images, card.pixels), size_tensor(images));
+      const torch::Tensor loss = batch_loss(said, truth_of(shown), card);
       state.optimizer->zero_grad();
       loss.backward();
       sums.add_batch(loss.item<double>() * static_cast<double>(batches[b].size()));
@@ -164,7 +157,7 @@ void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& 
     ++state.steps;
     update_average(state, options.ema_decay);
   }
-  const double images = static_cast<double>(samples.targets.size());
+  const double images = static_cast<double>(set.originals.size());
   report.training_loss = loss_sum / images;
   report.images_per_second = images / std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -176,8 +169,9 @@ void validate(Network& network, const Samples& samples, const ModelCard& card, E
   const std::vector<Outputs> said = run_network(network, images, card.pixels, card.options.batch_size);
   const double n = static_cast<double>(said.size());
   for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
-    report.validation_loss += batch_loss(tensor_of(said, batch), samples, batch, {}, card).item<double>() *
-                              static_cast<double>(batch.size()) / n;
+    report.validation_loss +=
+        batch_loss(tensor_of(said, batch), truth_of(samples, batch), card).item<double>() *
+        static_cast<double>(batch.size()) / n;
   const std::vector<int> learned = learned_outputs(card.options);
   for (std::size_t i = 0; i < said.size(); ++i) {
     const Outputs truth = standardise(samples.targets[i], card.targets);

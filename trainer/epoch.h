@@ -4,6 +4,7 @@
 #include "trainer/ranks.h"
 #include "trainer/samples.h"
 #include "trainer/train.h"
+#include "trainer/training_set.h"
 #include "trainer/training_state.h"
 
 namespace cps {
@@ -13,7 +14,7 @@ namespace cps {
 /// all end with the same weights. Statistics of batch normalisation are the mean of what each batch makes of
 /// them. Fills in the report's learning rate, loss and
 /// rate; its epoch is given.
-void train_epoch(TrainingState& state, const Samples& samples, const ModelCard& card, const Ranks& ranks,
+void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card, const Ranks& ranks,
                  EpochReport& report);
 
 /// What `network` scores on the validation images, not augmented and not mirrored: the report's validation

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "distortion/frame_certificate.h"
 #include "distortion/inverse.h"
@@ -26,6 +27,14 @@ std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
     }
   if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : .9) * rows * columns) return std::nullopt;
   return grid;
+}
+
+std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const std::string& label) {
+  constexpr int columns = 12;
+  auto rays = ray_grid(truth, columns);
+  if (!rays || !is_one_to_one(truth))
+    throw std::runtime_error(label + ": the lens is not one-to-one in its frame: make this group again");
+  return std::make_shared<const RayGrid>(std::move(*rays));
 }
 
 double reprojection_error_px(const RayGrid& truth, const Calibration& prediction) {

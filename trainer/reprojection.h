@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "trainer/targets.h"
@@ -18,6 +20,10 @@ struct RayGrid {
 /// whole frame, all of them. Else those that the largest certified rectangle shows (KITTI's camera 03 folds
 /// just beyond its corners); empty when that is less than nine tenths: then most pixels show no one point.
 std::optional<RayGrid> ray_grid(const Calibration& truth, int columns = 24);
+
+/// The grid of a lens that must be one-to-one, coarse enough for a loss. Throws std::runtime_error that
+/// starts with `label`, the file to blame, when it is not.
+std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const std::string& label);
 
 /// Mean distance in pixels between where the truth and where the prediction puts the grid's points. Needs no
 /// inverse of the predicted lens, so a lens that folds is judged like any other.

@@ -1,13 +1,11 @@
 #include "trainer/samples.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <stdexcept>
 
-#include "random/counter_hash.h"
+#include "trainer/blob_cache.h"
 #include "trainer/mirror.h"
 
 namespace cps {
@@ -21,20 +19,12 @@ std::vector<int> images_of(const Dataset& dataset, Part part) {
 
 namespace {
 
-std::shared_ptr<const RayGrid> shared_rays(const Calibration& calibration, const std::string& label) {
-  constexpr int columns = 12;
-  auto rays = ray_grid(calibration, columns);
-  if (!rays || !is_one_to_one(calibration))
-    throw std::runtime_error(label + ": the lens is not one-to-one in its frame: make this group again");
-  return std::make_shared<const RayGrid>(std::move(*rays));
-}
-
 /// The images' pixels. Those that cannot be used leave `images`, if they may.
 ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const SampleOptions& options,
                          const std::filesystem::path& cache_file, std::vector<std::string>& skipped) {
   for (;;) try {
       return load_image_cache(dataset, images, options.reduction, cache_file);
-    } catch (const BadImages& bad) {
+    } catch (const BadBlobs& bad) {
       if (!options.skip_bad_images || bad.positions.size() == images.size()) throw;
       for (std::size_t i = bad.positions.size(); i > 0; --i)
         images.erase(images.begin() + bad.positions[i - 1]);
@@ -52,7 +42,7 @@ void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& 
       const DatasetGroup& g = dataset.groups[group];
       const std::string label = (dataset.root / g.folder / "calibration.json").string();
       const Calibration calibration{g.label.camera, g.label.distortion};
-      grids = {shared_rays(calibration, label), shared_rays(mirrored(calibration), label)};
+      grids = {loss_rays(calibration, label), loss_rays(mirrored(calibration), label)};
     }
     samples.rays.push_back(grids[0]);
     samples.mirrored_rays.push_back(grids[1]);
@@ -80,26 +70,6 @@ Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& opt
   }
   if (options.with_rays) add_rays(samples, dataset, images);
   return samples;
-}
-
-std::string dataset_fingerprint(const Dataset& dataset) {
-  std::uint64_t hash = 0;
-  const auto add = [&](std::uint64_t bits) { hash = mix64(hash ^ bits) + 0x9e3779b97f4a7c15ull; };
-  for (const DatasetGroup& group : dataset.groups) {
-    const Pinhole& c = group.label.camera;
-    const Distortion& d = group.label.distortion;
-    for (double v : {static_cast<double>(c.width), static_cast<double>(c.height), c.fx, c.fy, c.cx, c.cy,
-                     d.k1, d.k2, d.k3, d.p1, d.p2})
-      add(std::bit_cast<std::uint64_t>(v));
-  }
-  for (const DatasetImage& image : dataset.images) {
-    for (char c : image.file.generic_string()) add(static_cast<unsigned char>(c));
-    add(static_cast<std::uint64_t>(image.group));
-    add(static_cast<std::uint64_t>(image.part));
-  }
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 }  // namespace cps

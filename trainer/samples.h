@@ -37,7 +37,4 @@ struct SampleOptions {
 Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
                      const std::filesystem::path& cache_file);
 
-/// 16 hex digits over the image lists and every label number: the same for the same dataset wherever it lies.
-std::string dataset_fingerprint(const Dataset& dataset);
-
 }  // namespace cps

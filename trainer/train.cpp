@@ -4,9 +4,11 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "trainer/dataset_fingerprint.h"
 #include "trainer/epoch.h"
 #include "trainer/history.h"
 #include "trainer/model_card.h"
+#include "trainer/online_images.h"
 #include "trainer/samples.h"
 #include "trainer/threads.h"
 #include "trainer/training_state.h"
@@ -64,6 +66,23 @@ ModelCard start_card(const Dataset& dataset, const fs::path& model_folder, const
   return card;
 }
 
+Samples load_part(const Dataset& dataset, Part part, const TrainOptions& options, const fs::path& cache) {
+  return load_samples(dataset, part,
+                      {.space = options.target_space,
+                       .reduction = options.reduction,
+                       .with_rays = options.loss == Loss::reprojection,
+                       .skip_bad_images = options.skip_bad_images},
+                      cache);
+}
+
+TrainingSet load_training_set(const Dataset& dataset, const TrainOptions& options,
+                              const fs::path& model_folder) {
+  if (options.online_lenses) return online_images(dataset, options, model_folder / "masters.cache");
+  return fixed_images(
+      std::make_shared<const Samples>(load_part(dataset, Part::train, options, model_folder / "train.cache")),
+      options);
+}
+
 }  // namespace
 
 TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const TrainOptions& options,
@@ -79,31 +98,20 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   if (error)
     throw std::runtime_error(model_folder.string() + ": cannot be made a folder: " + error.message());
 
-  const auto load = [&](Part part, const char* cache) {
-    return load_samples(dataset, part,
-                        {.space = card.options.target_space,
-                         .reduction = card.options.reduction,
-                         .with_rays = card.options.loss == Loss::reprojection,
-                         .skip_bad_images = card.options.skip_bad_images},
-                        model_folder / cache);
-  };
   ranks.wait();                       // all have seen what was in the folder
   if (ranks.rank != 0) ranks.wait();  // the first makes the caches
-  const Samples training = load(Part::train, "train.cache"), validation = load(Part::val, "val.cache");
+  const TrainingSet training = load_training_set(dataset, card.options, model_folder);
+  const Samples validation = load_part(dataset, Part::val, card.options, model_folder / "val.cache");
   if (ranks.rank == 0) ranks.wait();
   TrainSummary summary;
-  for (const Samples* samples : {&training, &validation})
-    summary.skipped.insert(summary.skipped.end(), samples->skipped.begin(), samples->skipped.end());
+  for (const auto* skipped : {&training.skipped, &validation.skipped})
+    summary.skipped.insert(summary.skipped.end(), skipped->begin(), skipped->end());
   summary.decode_seconds = seconds_since(start);
-  summary.training_images = card.training_images = static_cast<int>(training.targets.size());
+  summary.training_images = card.training_images = static_cast<int>(training.originals.size());
   summary.validation_images = card.validation_images = static_cast<int>(validation.targets.size());
-
   // What the network is shown and asked is standardised by the training images alone.
-  card.pixels = pixel_statistics(training.cache.images);
-  std::vector<Outputs> targets = training.targets;
-  if (card.options.mirror)
-    targets.insert(targets.end(), training.mirrored_targets.begin(), training.mirrored_targets.end());
-  card.targets = fit_standardisation(targets);
+  card.pixels = training.pixels;
+  card.targets = training.targets;
 
   TrainingState state = resume ? load_training_state(card.options, model_folder / "state.pt")
                                : fresh_training_state(card.options);

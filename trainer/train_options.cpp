@@ -45,6 +45,8 @@ void for_each_key(O& o, Visit visit) {
   visit("skip_bad_images", o.skip_bad_images);
   visit("mirror", o.mirror);
   visit("augmentation", o.augmentation);
+  visit("online_lenses", o.online_lenses);
+  visit("online_zoom", o.online_zoom);
   visit("ema_decay", o.ema_decay);
   visit("patience", o.patience);
   visit("seed", o.seed);
@@ -126,6 +128,7 @@ bool TrainOptions::is_valid(std::string* why) const {
   if (!(dropout >= 0 && dropout < 1)) return refuse("dropout: must lie in [0, 1)");
   if (!(max_gradient >= 0)) return refuse("max-gradient: must not be negative");
   if (!augmentation.is_valid(why)) return false;
+  if (!(online_zoom >= 1 && online_zoom <= 3)) return refuse("online-zoom: must lie in [1, 3]");
   if (!(ema_decay >= 0 && ema_decay < 1)) return refuse("ema: must lie in [0, 1)");
   if (patience < 0) return refuse("patience: must not be negative");
   if (threads < 0) return refuse("threads: must not be negative");

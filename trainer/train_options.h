@@ -46,6 +46,8 @@ struct TrainOptions {
   bool skip_bad_images = false;  ///< leave out images that cannot be used, and say so; else they are an error
   bool mirror = true;            ///< show every second image flipped, with its exact label
   Augmentation augmentation;
+  bool online_lenses = false;  ///< learn from the dataset's kept masters, a new lens for each in every epoch
+  double online_zoom = 1.3;    ///< OnlineLensOptions::zoom
   double ema_decay = 0;  ///< of a running mean of the weights, which is then what is judged and kept; 0: none
   int patience = 0;      ///< stop after so many epochs without a better validation loss; 0: never
   std::uint64_t seed = 0;

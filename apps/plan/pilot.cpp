@@ -148,6 +148,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const ViewRecord made = make_images(plan, v, whole, scratch.path, unused);
     of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
+    if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);
     of_size.images += static_cast<int>(made.images.size());
     ++of_size.views;
   }

@@ -53,6 +53,10 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
   flag(options, "augment", o.augmentation.probability,
        "chance of each change that leaves the label true: blur, motion blur, gamma, noise, JPEG, contrast, "
        "cutout");
+  flag(options, "online-lenses", o.online_lenses,
+       "learn from the masters that the dataset keeps, through a new lens for each in every epoch");
+  flag(options, "online-zoom", o.online_zoom,
+       "of online lenses: the most by which a drawn focal length differs from that of the master's set");
   flag(options, "ema", o.ema_decay, "decay of a running mean of the weights, which is then kept; 0: none");
   flag(options, "patience", o.patience, "stop after so many epochs without a better val loss; 0: never");
   flag(options, "seed", o.seed, "of weights, order and flips");
