@@ -10,6 +10,7 @@
 #include "random/counter_hash.h"
 #include "trainer/batch_loss.h"
 #include "trainer/batches.h"
+#include "trainer/distillation.h"
 #include "trainer/inference.h"
 
 namespace cps {
@@ -121,8 +122,8 @@ class StepSums {
 
 }  // namespace
 
-void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card, const Ranks& ranks,
-                 EpochReport& report) {
+void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
+                 const Predictor* teacher, const Ranks& ranks, EpochReport& report) {
   const TrainOptions& options = card.options;
   const auto start = Clock::now();
   state.network->train();
@@ -145,7 +146,11 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
       const std::vector<BatchImage> images = network_images(shown);
       const torch::Tensor said =
           state.network->forward(image_tensor(images, card.pixels), size_tensor(images));
-      const torch::Tensor loss = batch_loss(said, truth_of(shown), card);
+      torch::Tensor loss = batch_loss(said, truth_of(shown), card);
+      if (teacher) {
+        const double share = options.teacher_weight;
+        loss = loss * (1 - share) + distillation_loss(said, *teacher, images, card) * share;
+      }
       state.optimizer->zero_grad();
       loss.backward();
       sums.add_batch(loss.item<double>() * static_cast<double>(batches[b].size()));

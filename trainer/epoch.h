@@ -9,13 +9,14 @@
 
 namespace cps {
 
+class Predictor;
+
 /// One pass over the training images, in this epoch's order. A step takes the mean gradient of
 /// options.batches_per_step batches, each with its own batch normalisation; the processes share them out, and
 /// all end with the same weights. Statistics of batch normalisation are the mean of what each batch makes of
-/// them. Fills in the report's learning rate, loss and
-/// rate; its epoch is given.
-void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card, const Ranks& ranks,
-                 EpochReport& report);
+/// them. `teacher` may be null. Fills in the report's learning rate, loss and rate; its epoch is given.
+void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
+                 const Predictor* teacher, const Ranks& ranks, EpochReport& report);
 
 /// What `network` scores on the validation images, not augmented and not mirrored: the report's validation
 /// numbers.

@@ -6,6 +6,7 @@
 #include <torch/nn/modules/conv.h>
 #include <torch/nn/modules/linear.h>
 
+#include "trainer/edges.h"
 #include "trainer/targets.h"
 
 namespace cps {
@@ -90,7 +91,7 @@ struct ResNet final : Network {
   NetworkOptions options;
 
   ResNet(const Architecture& architecture, const NetworkOptions& options)
-      : conv1(nn::Conv2dOptions(1, 64, 7).stride(2).padding(3).bias(false)),
+      : conv1(nn::Conv2dOptions(options.edge_channel ? 2 : 1, 64, 7).stride(2).padding(3).bias(false)),
         bn1(64),
         fc(512 * Block::expansion + (options.size_features ? 2 : 0), output_count),
         max_pool(architecture.max_pool),
@@ -115,7 +116,7 @@ struct ResNet final : Network {
   }
 
   Tensor forward(const Tensor& images, const Tensor& sizes) override {
-    Tensor x = torch::relu(bn1(conv1(images)));
+    Tensor x = torch::relu(bn1(conv1(options.edge_channel ? with_sobel_edges(images) : images)));
     if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
     for (nn::Sequential& layer : layers) x = layer->forward(x);
     x = x.mean({2, 3});

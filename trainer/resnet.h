@@ -19,12 +19,13 @@ struct Network : torch::nn::Module {
 struct NetworkOptions {
   double dropout = 0;         ///< of the features before the last layer
   bool size_features = true;  ///< the two size numbers join the pooled features; else they are not looked at
+  bool edge_channel = false;  ///< the first layer sees with_sobel_edges() of the images
 };
 
 /// Deep residual network (He, Zhang, Ren, Sun 2016; stride on the 3×3 convolution of a bottleneck, as in
-/// torchvision) for one gray channel, with one last layer `fc`. Parameters and buffers carry torchvision's
-/// names. Initial weights come from torch's generator: seed it first. `fc` starts at zero, so an untrained
-/// network says the training mean.
+/// torchvision) for one gray channel (and its edges), with one last layer `fc`. Parameters and buffers carry
+/// torchvision's names. Initial weights come from torch's generator: seed it first. `fc` starts at zero, so
+/// an untrained network says the training mean.
 std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options);
 
 }  // namespace cps

@@ -5,10 +5,12 @@
 #include <stdexcept>
 
 #include "trainer/dataset_fingerprint.h"
+#include "trainer/distillation.h"
 #include "trainer/epoch.h"
 #include "trainer/history.h"
 #include "trainer/model_card.h"
 #include "trainer/online_images.h"
+#include "trainer/predictor.h"
 #include "trainer/samples.h"
 #include "trainer/threads.h"
 #include "trainer/training_state.h"
@@ -93,6 +95,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   if (card.options.batches_per_step % ranks.count != 0)
     throw std::runtime_error("batches-per-step: " + std::to_string(card.options.batches_per_step) +
                              " cannot be shared out among " + std::to_string(ranks.count) + " processes");
+  const std::unique_ptr<const Predictor> teacher = load_teacher(card.options);
   std::error_code error;
   fs::create_directories(model_folder, error);
   if (error)
@@ -123,7 +126,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     const auto epoch_start = Clock::now();
     EpochReport report;
     report.epoch = static_cast<int>(state.epochs.size()) + 1;
-    train_epoch(state, training, card, ranks, report);
+    train_epoch(state, training, card, teacher.get(), ranks, report);
     validate(state.judged(), validation, card, report);
     agree(ranks, report);
 

@@ -1,7 +1,9 @@
 #include "trainer/train_options.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 #include "trainer/architectures.h"
 
@@ -27,6 +29,7 @@ void for_each_key(O& o, Visit visit) {
   visit("architecture", o.architecture);
   visit("initial_weights", o.initial_weights);
   visit("size_features", o.size_features);
+  visit("edge_channel", o.edge_channel);
   visit("target_space", o.target_space);
   visit("outputs", o.outputs);
   visit("loss", o.loss);
@@ -47,12 +50,17 @@ void for_each_key(O& o, Visit visit) {
   visit("augmentation", o.augmentation);
   visit("online_lenses", o.online_lenses);
   visit("online_zoom", o.online_zoom);
+  visit("teacher", o.teacher);
+  visit("teacher_weight", o.teacher_weight);
   visit("ema_decay", o.ema_decay);
   visit("patience", o.patience);
   visit("seed", o.seed);
   visit("threads", o.threads);
   visit("minutes", o.minutes);
 }
+
+/// Options that models were trained without before there were any.
+constexpr std::array later_keys{"online_lenses", "online_zoom", "edge_channel", "teacher", "teacher_weight"};
 
 /// Options as JSON holds them: enumerations by their words, the augmentation as an object of its own.
 template <typename T>
@@ -129,6 +137,7 @@ bool TrainOptions::is_valid(std::string* why) const {
   if (!(max_gradient >= 0)) return refuse("max-gradient: must not be negative");
   if (!augmentation.is_valid(why)) return false;
   if (!(online_zoom >= 1 && online_zoom <= 3)) return refuse("online-zoom: must lie in [1, 3]");
+  if (!(teacher_weight >= 0 && teacher_weight <= 1)) return refuse("teacher-weight: must lie in [0, 1]");
   if (!(ema_decay >= 0 && ema_decay < 1)) return refuse("ema: must lie in [0, 1)");
   if (patience < 0) return refuse("patience: must not be negative");
   if (threads < 0) return refuse("threads: must not be negative");
@@ -144,7 +153,10 @@ nlohmann::ordered_json to_json(const TrainOptions& options) {
 
 TrainOptions train_options_from_json(const nlohmann::json& json) {
   TrainOptions options;
-  for_each_key(options, [&](const char* key, auto& value) { set_value(json.at(key), value); });
+  for_each_key(options, [&](const char* key, auto& value) {
+    if (json.contains(key) || std::ranges::find(later_keys, std::string_view(key)) == later_keys.end())
+      set_value(json.at(key), value);
+  });
   return options;
 }
 

@@ -26,6 +26,7 @@ struct TrainOptions {
   std::string architecture = "resnet18";
   std::string initial_weights;  ///< a file that start_from() reads; empty: drawn
   bool size_features = true;    ///< the network is told the original image's size
+  bool edge_channel = false;    ///< the network sees each image's Sobel edges beside it
   TargetSpace target_space = TargetSpace::apparent;
   /// Of output_names: those that are learned; the others stay at their training mean.
   std::vector<std::string> outputs{output_names.begin(), output_names.end()};
@@ -46,8 +47,10 @@ struct TrainOptions {
   bool skip_bad_images = false;  ///< leave out images that cannot be used, and say so; else they are an error
   bool mirror = true;            ///< show every second image flipped, with its exact label
   Augmentation augmentation;
-  bool online_lenses = false;  ///< learn from the dataset's kept masters, a new lens for each in every epoch
-  double online_zoom = 1.3;    ///< OnlineLensOptions::zoom
+  bool online_lenses = false;   ///< learn from the dataset's kept masters, a new lens for each in every epoch
+  double online_zoom = 1.3;     ///< OnlineLensOptions::zoom
+  std::string teacher;          ///< folder of a trained model to learn from as well; empty: none
+  double teacher_weight = 0.5;  ///< share of distillation_loss() in the loss; the labels have the rest
   double ema_decay = 0;  ///< of a running mean of the weights, which is then what is judged and kept; 0: none
   int patience = 0;      ///< stop after so many epochs without a better validation loss; 0: never
   std::uint64_t seed = 0;
@@ -59,7 +62,8 @@ struct TrainOptions {
 };
 
 nlohmann::ordered_json to_json(const TrainOptions& options);
-/// Throws nlohmann::json::exception on a missing key or wrong type.
+/// Throws nlohmann::json::exception on a missing key or wrong type. Options that came later may be missing:
+/// such a model was trained with their defaults.
 TrainOptions train_options_from_json(const nlohmann::json& json);
 
 /// The learning rate at `progress` epochs (fractions included) of `planned_epochs`. A pure function: a

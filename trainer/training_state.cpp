@@ -44,7 +44,9 @@ NamedTensors part_of(const NamedTensors& tensors, const std::string& prefix) {
 }  // namespace
 
 NetworkOptions network_options(const TrainOptions& options) {
-  return {.dropout = options.dropout, .size_features = options.size_features};
+  return {.dropout = options.dropout,
+          .size_features = options.size_features,
+          .edge_channel = options.edge_channel};
 }
 
 TrainingState fresh_training_state(const TrainOptions& options) {
@@ -88,9 +90,12 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
 
 void start_from(Network& network, NamedTensors weights, const std::filesystem::path& file) {
   NamedTensors own = weights_of(network);
-  if (const auto first = weights.find("conv1.weight");
-      first != weights.end() && first->second.dim() == 4 && first->second.size(1) == 3)
-    first->second = first->second.sum(1, true);
+  if (const auto first = weights.find("conv1.weight"); first != weights.end() && first->second.dim() == 4) {
+    torch::Tensor& kernels = first->second;
+    if (kernels.size(1) == 3) kernels = kernels.sum(1, true);
+    if (kernels.size(1) == 1 && own["conv1.weight"].size(1) == 2)
+      kernels = torch::cat({kernels, torch::zeros_like(kernels)}, 1);
+  }
   for (const char* last : {"fc.weight", "fc.bias"})
     if (const auto found = weights.find(last);
         found == weights.end() || found->second.sizes() != own[last].sizes())

@@ -44,8 +44,9 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
 
 /// Copies weights that a network of this architecture learned elsewhere, torchvision's on ImageNet for
 /// instance. A first layer for three colours becomes one for gray by the sum over them, which is what it
-/// makes of a gray picture. A last layer of another shape is left as it is. Throws std::runtime_error that
-/// starts with `file` where anything else is missing or of another shape.
+/// makes of a gray picture; edges, where the network sees them, count for nothing at first. A last layer of
+/// another shape is left as it is. Throws std::runtime_error that starts with `file` where anything else is
+/// missing or of another shape.
 void start_from(Network& network, NamedTensors weights, const std::filesystem::path& file);
 
 void save_training_state(const TrainingState& state, const std::filesystem::path& file);

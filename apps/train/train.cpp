@@ -34,6 +34,7 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
       "init", po::value(&o.initial_weights),
       "start from the weights in this file: a .pth of torchvision's ResNets, or a model's weights.pt");
   flag(options, "size-features", o.size_features, "tell the network the original image's size");
+  flag(options, "sobel", o.edge_channel, "show the network each image's Sobel edges beside it");
   flag(options, "loss", words.loss, "mse or huber, of standardised outputs; reprojection, in pixels");
   flag(options, "targets", words.target_space, "apparent (coefficients scaled by the half diagonal) or raw");
   flag(options, "width", o.reduction.width, "network image's width, pixels; never enlarged");
@@ -57,6 +58,9 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
        "learn from the masters that the dataset keeps, through a new lens for each in every epoch");
   flag(options, "online-zoom", o.online_zoom,
        "of online lenses: the most by which a drawn focal length differs from that of the master's set");
+  options.add_options()("teacher", po::value(&o.teacher),
+                        "learn from what this trained model says as well (distillation)");
+  flag(options, "teacher-weight", o.teacher_weight, "its share in the loss; the labels have the rest");
   flag(options, "ema", o.ema_decay, "decay of a running mean of the weights, which is then kept; 0: none");
   flag(options, "patience", o.patience, "stop after so many epochs without a better val loss; 0: never");
   flag(options, "seed", o.seed, "of weights, order and flips");

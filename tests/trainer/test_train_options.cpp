@@ -28,6 +28,15 @@ TEST_CASE("options survive JSON, and presets are valid") {
   CHECK_THROWS_WITH(train_preset("none"), Catch::Contains("demo"));
 }
 
+TEST_CASE("a model from before an option existed has its default; without an older one it is damaged") {
+  nlohmann::json json = nlohmann::json::parse(to_json(TrainOptions{}).dump());
+  json.erase("teacher");
+  json.erase("online_lenses");
+  CHECK(train_options_from_json(json) == TrainOptions{});
+  json.erase("architecture");
+  CHECK_THROWS_AS(train_options_from_json(json), nlohmann::json::exception);
+}
+
 TEST_CASE("the thesis' presets say what docs/models.md says") {
   for (const char* name :
        {"cps-v0.1", "cps-v0.2", "cps-v0.3", "cps-v0.4", "cps-v0.5", "cps-v0.6", "cps-v0.7"}) {
@@ -66,6 +75,8 @@ TEST_CASE("absurd options are refused by name") {
              Catch::StartsWith("loss"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.ema_decay = 1; }), Catch::StartsWith("ema"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.augmentation.probability = 2; }), Catch::StartsWith("augment"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.teacher_weight = 1.5; }), Catch::StartsWith("teacher-weight"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.online_zoom = .5; }), Catch::StartsWith("online-zoom"));
   CHECK_THROWS_WITH(loss_from_string("l1"), Catch::Contains("huber"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.milestones = {.5, 1.5}; }), Catch::StartsWith("milestones"));
 }
