@@ -110,5 +110,6 @@ TEST_CASE("a cache that another process makes, or that cannot be written, is one
     const FileLock lock(file.string() + ".lock", FileLock::Kind::exclusive);
     CHECK_THROWS_AS(maker.load(file), HeldByAnother);
   }
-  CHECK_THROWS_WITH(maker.load(folder.path / "none/x.cache"), Catch::Contains("x.cache"));
+  write_file(folder.path / "file", std::string("no folder"));
+  CHECK_THROWS_WITH(maker.load(folder.path / "file/x.cache"), Catch::Contains("x.cache"));
 }

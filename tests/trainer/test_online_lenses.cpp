@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "dataset/files.h"
+#include "distortion/certificate.h"
 #include "distortion/warp.h"
 #include "street.h"
 #include "street_masters.h"
 #include "tests/temporary_folder.h"
-#include "trainer/certified_lens.h"
 #include "trainer/online_images.h"
 #include "trainer/online_lens.h"
 #include "trainer/train.h"
@@ -81,8 +81,7 @@ TEST_CASE("every online lens is certified, stays inside its master and within wh
   constexpr int draws = 2000;
   for (int i = 0; i < draws; ++i) {
     const DrawnLens lens = draw_online_lens(master, shape_prior(.25), Stream{static_cast<std::uint64_t>(i)});
-    const Calibration drawn{lens.crop.camera, lens.distortion};
-    REQUIRE(pull_to_certified(drawn).kept == 1);
+    REQUIRE(certify(lens.distortion, frame_on_plane(lens.base)).valid);
     REQUIRE(std::tan(hfov_rad(lens.base) / 2) <= widest * (1 + 1e-12));
     const double ratio = lens.crop.camera.fx / master.set.fx;
     REQUIRE(ratio <= 1.3 * (1 + 1e-6));
@@ -131,7 +130,7 @@ TEST_CASE("an online image shows what its target says, flipped or not") {
       const GrayImage direct = render_street(truth, i);
       INFO("master " << i << ", epoch " << epoch);
       const double good = correlation(image.pixels, direct);
-      CHECK(good > .97);
+      CHECK(good > .95);  // sensor noise is in it
       // A lens 2 % longer shows it visibly worse: the target is that exact.
       truth.camera.fx = truth.camera.fy = 1.02 * truth.camera.fx;
       CHECK(correlation(image.pixels, render_street(truth, i)) < good);
