@@ -9,6 +9,8 @@
 #include <torch/csrc/distributed/c10d/ProcessGroupGloo.hpp>
 #include <torch/csrc/distributed/c10d/TCPStore.hpp>
 
+#include "trainer/slurm_step.h"
+
 namespace cps {
 
 struct Ranks::Group {
@@ -35,6 +37,13 @@ int number(const char* name, const char* text, int least, int most) {
     throw std::runtime_error(std::string(name) + ": must be a whole number from " + std::to_string(least) +
                              " to " + std::to_string(most) + ", not '" + std::string(word) + "'");
   return value;
+}
+
+std::shared_ptr<gloo::transport::Device> device_towards(const std::string& host) {
+  using Gloo = c10d::ProcessGroupGloo;
+  if (const char* interface = variable("CPS_NETWORK_INTERFACE"))
+    return Gloo::createDeviceForInterface(interface);
+  return host == "127.0.0.1" ? Gloo::createDeviceForHostname(host) : Gloo::createDefaultDevice();
 }
 
 [[noreturn]] void lost(const std::exception& error) {
@@ -67,25 +76,25 @@ void Ranks::wait() const {
 
 Ranks join_ranks() {
   Ranks ranks;
-  const char* count = variable("WORLD_SIZE", "SLURM_NTASKS");
+  // Slurm's count of the step, not of the job: a job's script is one process, whatever it may start.
+  const char* count = variable("WORLD_SIZE", "SLURM_STEP_NUM_TASKS");
   if (!count) return ranks;
   ranks.count = number("WORLD_SIZE", count, 1, 4096);
   if (ranks.count == 1) return ranks;
   ranks.rank = number("RANK", variable("RANK", "SLURM_PROCID"), 0, ranks.count - 1);
-  const char* host = variable("MASTER_ADDR");
-  if (!host) throw std::runtime_error("MASTER_ADDR: is not set: name the machine of rank 0");
-  const int port =
-      number("MASTER_PORT", variable("MASTER_PORT") ? variable("MASTER_PORT") : "29500", 1, 65535);
+  MeetingPoint meeting = slurm_meeting_point();
+  if (const char* host = variable("MASTER_ADDR")) meeting = {host, 29500};
+  if (meeting.host.empty()) throw std::runtime_error("MASTER_ADDR: is not set: name the machine of rank 0");
+  if (const char* port = variable("MASTER_PORT")) meeting.port = number("MASTER_PORT", port, 1, 65535);
   try {
     const auto store = c10::make_intrusive<c10d::TCPStore>(
-        host, c10d::TCPStoreOptions{.port = static_cast<std::uint16_t>(port),
-                                    .isServer = ranks.rank == 0,
-                                    .numWorkers = static_cast<std::size_t>(ranks.count),
-                                    .timeout = std::chrono::minutes(5)});
-    auto options = c10d::ProcessGroupGloo::Options::create();
-    const char* interface = variable("CPS_NETWORK_INTERFACE");
-    options->devices.push_back(interface ? c10d::ProcessGroupGloo::createDeviceForInterface(interface)
-                                         : c10d::ProcessGroupGloo::createDefaultDevice());
+        meeting.host, c10d::TCPStoreOptions{.port = static_cast<std::uint16_t>(meeting.port),
+                                            .isServer = ranks.rank == 0,
+                                            .numWorkers = static_cast<std::size_t>(ranks.count),
+                                            .timeout = std::chrono::minutes(5)});
+    // Long, for the others wait while the first decodes every image. A process that ends is noticed at once.
+    auto options = c10d::ProcessGroupGloo::Options::create(std::chrono::hours(24 * 7));
+    options->devices.push_back(device_towards(meeting.host));
     ranks.group_ = std::make_unique<Ranks::Group>();
     ranks.group_->gloo =
         c10::make_intrusive<c10d::ProcessGroupGloo>(store, ranks.rank, ranks.count, std::move(options));

@@ -36,10 +36,11 @@ class Ranks {
 };
 
 /// Joins the processes that the environment names, as torchrun sets it: RANK, WORLD_SIZE, MASTER_ADDR,
-/// MASTER_PORT. Under srun SLURM_PROCID and SLURM_NTASKS do for the first two. Gloo over TCP;
-/// CPS_NETWORK_INTERFACE names the network interface, else it is that of this machine's name. One process
-/// without these variables. Throws std::runtime_error with one line when one makes no sense or the others
-/// cannot be reached.
+/// MASTER_PORT (29500). Under srun none need be set: SLURM_PROCID, SLURM_STEP_NUM_TASKS and
+/// slurm_meeting_point() say the same. Gloo over TCP; CPS_NETWORK_INTERFACE names the network interface, else
+/// it is the loopback when rank 0 is at 127.0.0.1, and that of this machine's name when it is not. One
+/// process without these variables. Throws std::runtime_error with one line when one makes no sense or the
+/// others cannot be reached.
 Ranks join_ranks();
 
 }  // namespace cps

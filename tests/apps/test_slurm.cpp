@@ -1,40 +1,14 @@
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
 #include "dataset/journal.h"
 #include "dataset_runs.h"
+#include "slurm_cluster.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
 
 namespace {
-
-int shell(const std::string& command) {
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-int control(const std::string& what, const fs::path& cluster, const std::string& rest = "") {
-  return shell(std::string(CPS_SOURCE) + "/tests/apps/slurm/cluster.sh " + what + " " + cluster.string() +
-               " " + rest);
-}
-
-/// A Slurm of two nodes on this machine.
-struct Cluster {
-  fs::path folder;
-  explicit Cluster(const fs::path& where) : folder(where) {
-    REQUIRE(shell("command -v munged slurmctld slurmd >/dev/null") == 0);  // apt install munge slurm-wlm
-    fs::create_directories(folder);
-    setenv("SLURM_CONF", (folder / "slurm.conf").c_str(), 1);
-    setenv("CPS", CPS_PROGRAM, 1);
-    REQUIRE(control("start", folder) == 0);
-  }
-  ~Cluster() {
-    shell("scancel -u $(id -un)");
-    control("stop", folder);
-  }
-};
 
 bool wait_until(const std::function<bool()>& holds, int seconds) {
   for (int i = 0; i < 10 * seconds; ++i) {
@@ -77,7 +51,7 @@ TEST_CASE("Slurm makes what one process makes, though it loses a task and a node
   const std::string recipe = "--name t --seed 3 --scene " + scene.string() +
                              " --size 240x135 --base_hfov_deg 60,100 --views 20 --lenses 2 "
                              "--conditions_per_scene 2 --samples 4 --out ";
-  const Cluster cluster(folder / "cluster");
+  const SlurmCluster cluster(folder / "cluster");
 
   REQUIRE(shell(submit(folder, recipe + out.string())) == 0);
   for (int shard = 0; shard < 4; ++shard) {
@@ -85,7 +59,7 @@ TEST_CASE("Slurm makes what one process makes, though it loses a task and a node
     REQUIRE(wait_until([&] { return is_at_work(out, shard); }, 120));
   }
   CHECK(shell("pkill -9 -f '[-]-shard 0/4'") == 0);
-  CHECK(control("lose", cluster.folder, "node2") == 0);
+  CHECK(cluster.control("lose", "node2") == 0);
   const bool is_over = wait_until(queue_is_empty, 400);
   const std::string logs = logs_in(folder);
   INFO(logs);
@@ -104,7 +78,7 @@ TEST_CASE("a cancelled array is not queued again; one without hope ends the rest
   const std::string recipe = "--scene " + scene.string() +
                              " --size 240x135 --base_hfov_deg 60 --views 200 --lenses 1 --samples 4 --out " +
                              (folder / "dataset").string();
-  const Cluster cluster(folder / "cluster");
+  const SlurmCluster cluster(folder / "cluster");
   REQUIRE(shell(submit(folder, recipe)) == 0);
   REQUIRE(wait_until([&] { return is_at_work(folder / "dataset", 0); }, 120));
   REQUIRE(shell("scancel -u $(id -un)") == 0);

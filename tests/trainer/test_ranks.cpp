@@ -7,6 +7,7 @@
 
 #include "dataset/files.h"
 #include "street.h"
+#include "tests/environment_variables.h"
 #include "tests/temporary_folder.h"
 #include "trainer/ranks.h"
 #include "trainer/train.h"
@@ -50,19 +51,6 @@ int free_port() {
   return ntohs(address.sin_port);
 }
 
-struct Variables {
-  std::vector<std::string> names;
-  Variables(std::initializer_list<std::pair<const char*, const char*>> values) {
-    for (const auto& [name, value] : values) {
-      names.push_back(name);
-      setenv(name, value, 1);
-    }
-  }
-  ~Variables() {
-    for (const std::string& name : names) unsetenv(name.c_str());
-  }
-};
-
 }  // namespace
 
 // Run by the test below, twice at once.
@@ -82,8 +70,8 @@ TEST_CASE("two processes on the loopback train the weights that one does") {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe"),
                     environment =
                         "CPS_TEST_FOLDER=" + folder.path.string() +
-                        " WORLD_SIZE=2 MASTER_ADDR=127.0.0.1 CPS_NETWORK_INTERFACE=lo MASTER_PORT=" +
-                        std::to_string(free_port()) + " ",
+                        " WORLD_SIZE=2 MASTER_ADDR=127.0.0.1 MASTER_PORT=" + std::to_string(free_port()) +
+                        " ",
                     log = " > " + folder.path.string() + "/log";
   const std::string command = environment + "RANK=1 " + program + " '[.rank-worker]'" + log + "1 2>&1 & " +
                               environment + "RANK=0 " + program + " '[.rank-worker]'" + log +
@@ -109,15 +97,19 @@ TEST_CASE("batches of one step are averaged, not summed") {
 TEST_CASE("an environment that makes no sense is refused in one line") {
   CHECK(join_ranks().count == 1);
   {
-    const Variables v{{"WORLD_SIZE", "2"}, {"RANK", "0"}};
+    const EnvironmentVariables v{{"WORLD_SIZE", "2"}, {"RANK", "0"}};
     CHECK_THROWS_WITH(join_ranks(), Catch::StartsWith("MASTER_ADDR: is not set"));
   }
   {
-    const Variables v{{"WORLD_SIZE", "2"}, {"RANK", "2"}, {"MASTER_ADDR", "127.0.0.1"}};
+    const EnvironmentVariables v{{"WORLD_SIZE", "2"}, {"RANK", "2"}, {"MASTER_ADDR", "127.0.0.1"}};
     CHECK_THROWS_WITH(join_ranks(), Catch::StartsWith("RANK: must be a whole number from 0 to 1"));
   }
+  {  // a job's script, not a step of it
+    const EnvironmentVariables v{{"SLURM_NTASKS", "2"}, {"SLURM_PROCID", "0"}};
+    CHECK(join_ranks().count == 1);
+  }
   {
-    const Variables v{{"SLURM_NTASKS", "two"}};
+    const EnvironmentVariables v{{"SLURM_STEP_NUM_TASKS", "two"}};
     CHECK_THROWS_WITH(join_ranks(), Catch::StartsWith("WORLD_SIZE: "));
   }
 }
