@@ -26,6 +26,10 @@ void check_camera(const Pinhole& camera, const JsonKeys& reader) {
 
 }  // namespace
 
+Pinhole base_of(const Label& label) {
+  return pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
+}
+
 nlohmann::ordered_json to_json(const Label& label) {
   nlohmann::ordered_json limits;
   for (std::size_t i = 0; i < lens_keys.size(); ++i) {

@@ -33,6 +33,10 @@ struct Label {
   std::string generator;  ///< program and version
 };
 
+/// The undistorted camera before the crop, of the image's size and centred: on its frame the lens is
+/// certified.
+Pinhole base_of(const Label& label);
+
 /// Written as `schema`. A file with another number is refused.
 inline constexpr int label_schema = 1;
 

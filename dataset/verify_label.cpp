@@ -56,8 +56,7 @@ LabelCheck check_label(const Label& label) {
   const auto fault = [&](bool is_fault, std::string what) {
     if (is_fault) check.faults.push_back(std::move(what));
   };
-  const Pinhole base =
-      pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
+  const Pinhole base = base_of(label);
   const Eigen::AlignedBox2d master = frame_on_plane(base);
   const Certificate certificate =
       certify(label.distortion, master, {.min_eigenvalue = 1e-3, .max_eigenvalue = 1e3});

@@ -11,8 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const RayGrid> rays_or_throw(const Calibration& truth, const std::string& where) {
-  auto rays = ray_grid(truth);
+std::shared_ptr<const RayGrid> shared(std::optional<RayGrid> rays, const std::string& where) {
   if (!rays)
     throw std::runtime_error(where + ": the lens is not one-to-one in its frame: cps lens check tells more");
   return std::make_shared<const RayGrid>(std::move(*rays));
@@ -29,7 +28,9 @@ EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
     const DatasetGroup& group = dataset.groups[image.group];
     const Calibration truth{group.label.camera, group.label.distortion};
     auto& grid = rays[image.group];
-    if (!grid) grid = rays_or_throw(truth, (dataset.root / group.folder / "calibration.json").string());
+    if (!grid)
+      grid = shared(ray_grid(truth, frame_on_plane(base_of(group.label))),
+                    (dataset.root / group.folder / "calibration.json").string());
     const std::string place = (group.folder.parent_path() / image.file.filename()).string();
     const int cluster = places.try_emplace(place, static_cast<int>(places.size())).first->second;
     set.images.push_back(
@@ -45,7 +46,7 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
   EvaluationSet set{.name = "KITTI raw frames of " + folder.string(), .images = {}};
   for (const CameraPictures& pictures : kitti_raw(folder)) {
     const Calibration truth{pictures.camera.camera, pictures.camera.distortion};
-    const auto rays = rays_or_throw(truth, folder.string() + ": camera " + pictures.camera.name);
+    const auto rays = shared(ray_grid(truth), folder.string() + ": camera " + pictures.camera.name);
     for (const fs::path& file : pictures.files)
       set.images.push_back({file, file.lexically_relative(folder).string(), "KITTI " + pictures.camera.name,
                             truth, rays, static_cast<int>(set.images.size())});
@@ -56,7 +57,7 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
 EvaluationSet picture_evaluation_set(const fs::path& folder, const CalibratedCamera& camera) {
   EvaluationSet set{.name = "pictures in " + folder.string(), .images = {}};
   const Calibration truth{camera.camera, camera.distortion};
-  const auto rays = rays_or_throw(truth, "camera " + camera.name);
+  const auto rays = shared(ray_grid(truth), "camera " + camera.name);
   for (const fs::path& file : pictures_in(folder))
     set.images.push_back(
         {file, file.filename().string(), camera.name, truth, rays, static_cast<int>(set.images.size())});

@@ -40,7 +40,7 @@ struct OnlineImages {
     if (image.is_mirrored) calibration = mirrored(calibration);
     image.target = to_outputs(calibration, options.target_space);
     if (options.loss == Loss::reprojection)
-      image.rays = loss_rays(calibration, cache.masters[i].file.string());
+      image.rays = loss_rays(calibration, frame_on_plane(lens.base), cache.masters[i].file.string());
     return image;
   }
 };

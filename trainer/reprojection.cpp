@@ -1,6 +1,5 @@
 #include "trainer/reprojection.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,9 +9,14 @@
 
 namespace cps {
 
-std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
+namespace {
+
+/// The grid's points that certified rectangles similar to `shape` show. Empty when those are less than
+/// `least_share` of them, or not all though the lens is one-to-one in its frame.
+std::optional<RayGrid> shown_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns,
+                                  double least_share) {
   const Pinhole& camera = truth.camera;
-  const FrameCertificate frame = certify_frame(truth.distortion, camera, one_to_one);
+  const FrameCertificate frame = certify_frame(truth.distortion, camera, shape, one_to_one);
   const int rows =
       std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
   RayGrid grid;
@@ -25,14 +29,26 @@ std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
       grid.pixels.push_back(pixel);
       grid.ideal.push_back(*ideal);
     }
-  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : .9) * rows * columns) return std::nullopt;
+  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : least_share) * rows * columns)
+    return std::nullopt;
   return grid;
 }
 
-std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const std::string& label) {
+}  // namespace
+
+std::optional<RayGrid> ray_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns) {
+  return shown_grid(truth, shape, columns, .9);
+}
+
+std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
+  return ray_grid(truth, frame_on_plane(truth.camera), columns);
+}
+
+std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const Eigen::AlignedBox2d& shape,
+                                         const std::string& label) {
   constexpr int columns = 12;
-  auto rays = ray_grid(truth, columns);
-  if (!rays || !is_one_to_one(truth))
+  std::optional<RayGrid> rays = shown_grid(truth, shape, columns, 1);
+  if (!rays)
     throw std::runtime_error(label + ": the lens is not one-to-one in its frame: make this group again");
   return std::make_shared<const RayGrid>(std::move(*rays));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,11 +19,15 @@ struct RayGrid {
 /// About `columns` × columns·H/W points at the centres of equal cells. Where the lens is one-to-one in its
 /// whole frame, all of them. Else those that the largest certified rectangle shows (KITTI's camera 03 folds
 /// just beyond its corners); empty when that is less than nine tenths: then most pixels show no one point.
+/// Rectangles are similar to `shape`, see certify_frame(): for a lens that was drawn, the frame of its base,
+/// on which it is certified; else the camera's own.
+std::optional<RayGrid> ray_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns = 24);
 std::optional<RayGrid> ray_grid(const Calibration& truth, int columns = 24);
 
 /// The grid of a lens that must be one-to-one, coarse enough for a loss. Throws std::runtime_error that
 /// starts with `label`, the file to blame, when it is not.
-std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const std::string& label);
+std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const Eigen::AlignedBox2d& shape,
+                                         const std::string& label);
 
 /// Mean distance in pixels between where the truth and where the prediction puts the grid's points. Needs no
 /// inverse of the predicted lens, so a lens that folds is judged like any other.

@@ -42,7 +42,8 @@ void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& 
       const DatasetGroup& g = dataset.groups[group];
       const std::string label = (dataset.root / g.folder / "calibration.json").string();
       const Calibration calibration{g.label.camera, g.label.distortion};
-      grids = {loss_rays(calibration, label), loss_rays(mirrored(calibration), label)};
+      const Eigen::AlignedBox2d shape = frame_on_plane(base_of(g.label));  // the same mirrored
+      grids = {loss_rays(calibration, shape, label), loss_rays(mirrored(calibration), shape, label)};
     }
     samples.rays.push_back(grids[0]);
     samples.mirrored_rays.push_back(grids[1]);

@@ -127,6 +127,7 @@ Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatas
           Label label;
           label.camera = calibration.camera;
           label.distortion = calibration.distortion;
+          label.fov_base_deg = degrees(hfov_rad(calibration.camera));
           label.part = part;
           write_json(root / folder / "calibration.json", to_json(label));
           for (int i = 0; i < count; ++i) {
