@@ -8,9 +8,9 @@
 
 namespace cps {
 
-std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student) {
+std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Device device) {
   if (student.teacher.empty()) return nullptr;
-  auto teacher = std::make_unique<const Predictor>(student.teacher);
+  auto teacher = std::make_unique<const Predictor>(student.teacher, device);
   const TrainOptions& its = teacher->card().options;
   if (its.reduction != student.reduction)
     throw std::runtime_error("teacher " + student.teacher +

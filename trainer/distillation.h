@@ -6,6 +6,7 @@
 #include <span>
 
 #include "trainer/batches.h"
+#include "trainer/device.h"
 #include "trainer/model_card.h"
 
 namespace cps {
@@ -15,7 +16,7 @@ class Predictor;
 /// The trained network in the folder that student.teacher names; null when none is named. Throws
 /// std::runtime_error with one line when the folder holds no model, or one that sees images of another size
 /// or has not learned all that the student is to learn.
-std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student);
+std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Device device = Device::cpu);
 
 /// Mean squared difference between what the student says, [n, 8] standardised, and what the teacher says of
 /// the same images, over the outputs that the student learns (Hinton, Vinyals, Dean 2015, for numbers rather

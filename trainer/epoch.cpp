@@ -72,7 +72,7 @@ class StepSums {
     std::int64_t length = 2;
     for (const auto* list : {&parameters_, &buffers_})
       for (const torch::Tensor& t : *list) length += t.numel();
-    row_ = torch::zeros({length});
+    row_ = torch::zeros({length}, network.device());
     for (const torch::Tensor& buffer : buffers_) before_.push_back(buffer.clone());
     for (const torch::Tensor& count : counts_) after_.push_back(count + 1);
   }
@@ -130,6 +130,7 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
   const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
   const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);
   const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
+  const torch::Device device = state.network->device();
   double loss_sum = 0;
   for (std::size_t step = 0; step < steps; ++step) {
     const double progress = report.epoch - 1 + (step + 1.0) / steps;
@@ -144,8 +145,8 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
       torch::manual_seed(random_bits(noise, b));
       const std::vector<ShownImage> shown = show(set, batches[b], options, report.epoch);
       const std::vector<BatchImage> images = network_images(shown);
-      const torch::Tensor said =
-          state.network->forward(image_tensor(images, card.pixels), size_tensor(images));
+      const torch::Tensor said = state.network->forward(image_tensor(images, card.pixels).to(device),
+                                                        size_tensor(images).to(device));
       torch::Tensor loss = batch_loss(said, truth_of(shown), card);
       if (teacher) {
         const double share = options.teacher_weight;

@@ -5,10 +5,12 @@
 
 namespace cps {
 
-Predictor::Predictor(const std::filesystem::path& model_folder) : card_(load_model_card(model_folder)) {
+Predictor::Predictor(const std::filesystem::path& model_folder, Device device)
+    : card_(load_model_card(model_folder)) {
   network_ = make_resnet(*find_architecture(card_.options.architecture), network_options(card_.options));
   const std::filesystem::path file = model_folder / "weights.pt";
   set_weights(*network_, load_tensors(file), file);
+  network_->to(to_torch(device));
 }
 
 std::vector<Outputs> Predictor::operator()(std::span<const BatchImage> images) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trainer/batches.h"
+#include "trainer/device.h"
 #include "trainer/model_card.h"
 
 namespace cps {
@@ -16,7 +17,7 @@ struct Network;
 class Predictor {
  public:
   /// Throws std::runtime_error with one line when the folder holds no whole model.
-  explicit Predictor(const std::filesystem::path& model_folder);
+  explicit Predictor(const std::filesystem::path& model_folder, Device device = Device::cpu);
 
   const ModelCard& card() const { return card_; }
 

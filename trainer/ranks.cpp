@@ -57,8 +57,9 @@ std::shared_ptr<gloo::transport::Device> device_towards(const std::string& host)
 void Ranks::sum(torch::Tensor& tensor) const {
   if (!group_) return;
   try {
-    std::vector<torch::Tensor> tensors{tensor};
+    std::vector<torch::Tensor> tensors{tensor.cpu()};
     group_->gloo->allreduce(tensors)->wait();
+    if (!tensor.is_cpu()) tensor.copy_(tensors[0]);
   } catch (const std::exception& error) {
     lost(error);
   }

@@ -19,7 +19,8 @@ class Ranks {
 
   int rank = 0, count = 1;
 
-  /// The sum over all processes, in place, the same bits on each. Contiguous floats or doubles. Throws
+  /// The sum over all processes, in place, the same bits on each. Contiguous floats or doubles, on any device
+  /// (they are sent from the CPU). Throws
   /// std::runtime_error when another process is gone.
   void sum(at::Tensor& tensor) const;
 

@@ -14,6 +14,9 @@ struct Network : torch::nn::Module {
   /// images: [n, 1, h, w], normalised. sizes: [n, 2], the *original* images' (height/2160, width/3840), which
   /// tell a reduced image from a small one. Returns [n, 8], standardised targets.
   virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes) = 0;
+
+  /// Where its weights are, and images must be.
+  torch::Device device() const { return parameters().front().device(); }
 };
 
 struct NetworkOptions {

@@ -88,14 +88,14 @@ TrainingSet load_training_set(const Dataset& dataset, const TrainOptions& option
 }  // namespace
 
 TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const TrainOptions& options,
-                   bool resume, const EpochCallback& on_epoch, const Ranks& ranks) {
+                   bool resume, const EpochCallback& on_epoch, const Ranks& ranks, Device device) {
   const auto start = Clock::now();
   ModelCard card = start_card(dataset, model_folder, options, resume);
   use_threads(card.options.threads);
   if (card.options.batches_per_step % ranks.count != 0)
     throw std::runtime_error("batches-per-step: " + std::to_string(card.options.batches_per_step) +
                              " cannot be shared out among " + std::to_string(ranks.count) + " processes");
-  const std::unique_ptr<const Predictor> teacher = load_teacher(card.options);
+  const std::unique_ptr<const Predictor> teacher = load_teacher(card.options, device);
   std::error_code error;
   fs::create_directories(model_folder, error);
   if (error)
@@ -118,6 +118,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
 
   TrainingState state = resume ? load_training_state(card.options, model_folder / "state.pt")
                                : fresh_training_state(card.options);
+  move_to(state, device);
   for (const auto& parameter : state.network->parameters()) summary.parameters += parameter.numel();
   if (!resume && ranks.rank == 0) save_model_card(card, model_folder);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/reader.h"
+#include "trainer/device.h"
 #include "trainer/ranks.h"
 #include "trainer/train_options.h"
 
@@ -58,9 +59,11 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 /// With several processes each calls this with the same arguments and sees the same dataset and folder; the
 /// first writes. N processes make the weights that one makes of the same batches_per_step.
 ///
+/// A run may go on on another device; the promise of equal weights holds for the CPU.
+///
 /// Throws std::runtime_error with one line on invalid options, unusable data, or a model of another dataset.
 TrainSummary train(const Dataset& dataset, const std::filesystem::path& model_folder,
                    const TrainOptions& options, bool resume, const EpochCallback& on_epoch,
-                   const Ranks& ranks = Ranks());
+                   const Ranks& ranks = Ranks(), Device device = Device::cpu);
 
 }  // namespace cps

@@ -41,6 +41,14 @@ NamedTensors part_of(const NamedTensors& tensors, const std::string& prefix) {
   return part;
 }
 
+void move_moments(torch::optim::AdamW& optimizer, torch::Device to) {
+  for (auto& [parameter, state] : optimizer.state()) {
+    auto& moments = static_cast<torch::optim::AdamWParamState&>(*state);
+    moments.exp_avg(moments.exp_avg().to(to));
+    moments.exp_avg_sq(moments.exp_avg_sq().to(to));
+  }
+}
+
 }  // namespace
 
 NetworkOptions network_options(const TrainOptions& options) {
@@ -113,13 +121,22 @@ void update_average(TrainingState& state, double decay) {
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i].copy_(counted[i]);
 }
 
+void move_to(TrainingState& state, Device device) {
+  const torch::Device to = to_torch(device);
+  state.network->to(to);
+  if (state.average) state.average->to(to);
+  move_moments(*state.optimizer, to);
+}
+
 void save_training_state(const TrainingState& state, const std::filesystem::path& file) {
   NamedTensors tensors;
   for (const auto& [name, tensor] : weights_of(*state.network)) tensors[network_prefix + name] = tensor;
   if (state.average)
     for (const auto& [name, tensor] : weights_of(*state.average)) tensors[average_prefix + name] = tensor;
   std::ostringstream moments;
+  move_moments(*state.optimizer, torch::kCPU);
   torch::save(*state.optimizer, moments);
+  move_moments(*state.optimizer, state.network->device());
   const std::string bytes = moments.str();
   tensors["optimizer"] =
       torch::from_blob(const_cast<char*>(bytes.data()), {static_cast<long>(bytes.size())}, torch::kUInt8);

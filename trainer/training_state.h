@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "trainer/device.h"
 #include "trainer/resnet.h"
 #include "trainer/tensor_file.h"
 #include "trainer/train.h"
@@ -49,9 +50,13 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
 /// missing or of another shape.
 void start_from(Network& network, NamedTensors weights, const std::filesystem::path& file);
 
+/// Networks and AdamW's moments.
+void move_to(TrainingState& state, Device device);
+
+/// What lies on another device is written as the CPU's, so that any machine can go on.
 void save_training_state(const TrainingState& state, const std::filesystem::path& file);
 
-/// Restores what save_training_state() wrote, for a network of the same options.
+/// Restores what save_training_state() wrote, on the CPU, for a network of the same options.
 TrainingState load_training_state(const TrainOptions& options, const std::filesystem::path& file);
 
 }  // namespace cps

@@ -16,7 +16,7 @@ namespace cps {
 namespace {
 
 struct Request {
-  std::string model, data, part = "test", kitti, pictures, lens, camera, out;
+  std::string model, data, part = "test", kitti, pictures, lens, camera, out, device = "cpu";
   int threads = 0;
   EvaluationOptions options;
 };
@@ -38,6 +38,7 @@ po::options_description describe(Request& r) {
   add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of bootstrap and noise");
   add("skip-bad-images", po::bool_switch(&r.options.skip_bad_images),
       "leave out what cannot be read, and say so, instead of stopping");
+  add("device", po::value(&r.device)->default_value(r.device), "cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
   add("out", po::value(&r.out), "everything as JSON; a page goes beside it [MODEL/eval.json, …]");
   return options;
@@ -79,9 +80,10 @@ int eval_verb(const Arguments& arguments) {
   po::notify(values);
   std::string why;
   if (!request.options.is_valid(&why)) throw po::error(why);
+  const Device device = usage_checked([&] { return device_from_string(request.device); });
   use_threads(request.threads);
 
-  const Predictor predictor{fs::path(request.model)};
+  const Predictor predictor(request.model, device);
   Evaluation evaluation = evaluate(predictor, set_of(request), request.options);
   evaluation.model = request.model;
   const fs::path json = output_file(request), page = fs::path(json).replace_extension(".html");

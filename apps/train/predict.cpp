@@ -20,7 +20,7 @@ namespace cps {
 namespace {
 
 struct Request {
-  std::string model, json, cameras, format = "opencv-yaml", straight;
+  std::string model, json, cameras, format = "opencv-yaml", straight, device = "cpu";
   std::vector<std::string> images;
   int threads = 0;
   PredictOptions options;
@@ -40,6 +40,7 @@ po::options_description describe(Request& r) {
       "a folder: each picture straightened by what was predicted, no black");
   add("looks", po::value(&r.options.looks)->default_value(r.options.looks),
       "changed looks at each picture that its spread is taken from; 0: none");
+  add("device", po::value(&r.device)->default_value(r.device), "cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
   return options;
 }
@@ -89,9 +90,10 @@ int predict_verb(const Arguments& arguments) {
     throw po::error("--looks: must lie in [0, 1000]");
   const CalibrationFormat format =
       usage_checked([&] { return calibration_format_from_string(request.format); });
+  const Device device = usage_checked([&] { return device_from_string(request.device); });
   use_threads(request.threads);
 
-  const Predictor predictor{fs::path(request.model)};
+  const Predictor predictor(request.model, device);
   const std::vector<ImagePrediction> predictions =
       predict_images(predictor, pictures(request.images), request.options);
   std::cout << report(predictions);

@@ -78,13 +78,14 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
 int train_verb(const Arguments& arguments) {
   TrainOptions options;
   Words words{to_string(options.target_space), to_string(options.loss)};
-  std::string data, out, presets;
+  std::string data, out, device, presets;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
   po::options_description files("What to train");
   files.add_options()("data", po::value<std::string>(&data)->required(), "the dataset's folder")(
       "out", po::value<std::string>(&out)->required(), "the model's folder, made if need be")(
       "preset", po::value<std::string>(), (presets + "the flags below override it").c_str())(
+      "device", po::value<std::string>(&device)->default_value("cpu"), "cpu or cuda")(
       "resume", po::bool_switch(), "go on with the model in --out where it stopped, with its own options");
   const po::options_description how = training_flags(options, words);
   po::options_description all;
@@ -107,6 +108,7 @@ int train_verb(const Arguments& arguments) {
   words = {to_string(options.target_space), to_string(options.loss)};
   po::notify(values);
   options.target_space = usage_checked([&] { return target_space_from_string(words.target_space); });
+  const Device computed_on = usage_checked([&] { return device_from_string(device); });
   options.loss = usage_checked([&] { return loss_from_string(words.loss); });
   std::string why;
   if (!options.is_valid(&why)) throw po::error(why);
@@ -120,7 +122,7 @@ int train_verb(const Arguments& arguments) {
         if (ranks.rank == 0) std::cout << to_string(report) << std::endl;
         return true;
       },
-      ranks);
+      ranks, computed_on);
   if (ranks.rank != 0) return 0;
   for (const std::string& why : summary.skipped) std::cerr << "left out: " << why << "\n";
   std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
