@@ -1,22 +1,27 @@
 #include "trainer/epoch.h"
 
 #include <torch/nn/utils/clip_grad.h>
-#include <torch/utils.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "random/counter_hash.h"
 #include "trainer/batch_loss.h"
 #include "trainer/batches.h"
 #include "trainer/distillation.h"
 #include "trainer/inference.h"
+#include "trainer/step_sums.h"
 
 namespace cps {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 BatchTruth truth_of(const std::vector<ShownImage>& shown) {
   BatchTruth truth{.size = shown.front().original, .targets = {}, .rays = {}};
@@ -62,64 +67,6 @@ torch::Tensor tensor_of(const std::vector<Outputs>& said, const Batch& batch) {
   return tensor;
 }
 
-/// What a step sums over its batches, in one row so that it is sent at once: gradients, what batch
-/// normalisation has counted, the loss of all images, and the number of batches.
-class StepSums {
- public:
-  explicit StepSums(Network& network) : parameters_(network.parameters()) {
-    for (const torch::Tensor& buffer : network.buffers())
-      (buffer.is_floating_point() ? buffers_ : counts_).push_back(buffer);
-    std::int64_t length = 2;
-    for (const auto* list : {&parameters_, &buffers_})
-      for (const torch::Tensor& t : *list) length += t.numel();
-    row_ = torch::zeros({length}, network.device());
-    for (const torch::Tensor& buffer : buffers_) before_.push_back(buffer.clone());
-    for (const torch::Tensor& count : counts_) after_.push_back(count + 1);
-  }
-
-  /// Each batch starts from the statistics that the step started from.
-  void begin_batch() {
-    const torch::NoGradGuard no_gradients;
-    for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i].copy_(before_[i]);
-  }
-
-  void add_batch(double loss_of_images) {
-    const torch::NoGradGuard no_gradients;
-    std::int64_t at = 0;
-    const auto add = [&](const torch::Tensor& t) {
-      row_.narrow(0, at, t.numel()).add_(t.flatten());
-      at += t.numel();
-    };
-    for (const torch::Tensor& p : parameters_) add(p.grad());
-    for (const torch::Tensor& b : buffers_) add(b);
-    row_[at] += loss_of_images;
-    row_[at + 1] += 1;
-  }
-
-  /// Puts the means over all batches of all processes into gradients and buffers. Returns the losses' sum.
-  double finish(const Ranks& ranks) {
-    const torch::NoGradGuard no_gradients;
-    ranks.sum(row_);
-    const std::int64_t numbers = row_.numel() - 2;
-    const double batches = row_[numbers + 1].item<double>();
-    row_.narrow(0, 0, numbers).div_(batches);
-    std::int64_t at = 0;
-    const auto take = [&](const torch::Tensor& like) {
-      at += like.numel();
-      return row_.narrow(0, at - like.numel(), like.numel()).view_as(like);
-    };
-    for (torch::Tensor& p : parameters_) p.mutable_grad() = take(p).clone();
-    for (torch::Tensor& b : buffers_) b.copy_(take(b));
-    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].copy_(after_[i]);  // of steps
-    return row_[numbers].item<double>();
-  }
-
- private:
-  std::vector<torch::Tensor> parameters_, buffers_, before_;
-  std::vector<torch::Tensor> counts_, after_;  ///< num_batches_tracked
-  torch::Tensor row_;
-};
-
 }  // namespace
 
 void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
@@ -131,41 +78,51 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
   const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);
   const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
   const torch::Device device = state.network->device();
-  double loss_sum = 0;
+  std::vector<torch::Tensor> parameters = state.network->parameters();
+  double loss_sum = 0, loader_seconds = 0;
   for (std::size_t step = 0; step < steps; ++step) {
     const double progress = report.epoch - 1 + (step + 1.0) / steps;
     report.learning_rate = learning_rate_at(options, progress, state.planned_epochs);
     static_cast<torch::optim::AdamWOptions&>(state.optimizer->param_groups()[0].options())
         .lr(report.learning_rate);
 
-    StepSums sums(*state.network);
+    std::optional<StepSums> sums;  // several processes share out several batches
+    if (per_step > 1) sums.emplace(*state.network);
     const std::size_t end = std::min(batches.size(), (step + 1) * per_step);
     for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
-      sums.begin_batch();
+      if (sums) sums->begin_batch();
       torch::manual_seed(random_bits(noise, b));
+      const auto loading = Clock::now();
       const std::vector<ShownImage> shown = show(set, batches[b], options, report.epoch);
       const std::vector<BatchImage> images = network_images(shown);
-      const torch::Tensor said = state.network->forward(image_tensor(images, card.pixels).to(device),
-                                                        size_tensor(images).to(device));
+      const torch::Tensor pixels = image_tensor(images, card.pixels);
+      loader_seconds += seconds_since(loading);
+      const torch::Tensor said = state.network->forward(pixels.to(device), size_tensor(images).to(device));
       torch::Tensor loss = batch_loss(said, truth_of(shown), card);
       if (teacher) {
         const double share = options.teacher_weight;
         loss = loss * (1 - share) + distillation_loss(said, *teacher, images, card) * share;
       }
-      state.optimizer->zero_grad();
+      // Not zeros: backward() would have to be added to them.
+      for (torch::Tensor& parameter : parameters) parameter.mutable_grad().reset();
       loss.backward();
-      sums.add_batch(loss.item<double>() * static_cast<double>(batches[b].size()));
+      const double loss_of_images = loss.item<double>() * static_cast<double>(batches[b].size());
+      if (sums)
+        sums->add_batch(loss_of_images);
+      else
+        loss_sum += loss_of_images;
     }
-    loss_sum += sums.finish(ranks);
-    if (options.max_gradient > 0)
-      torch::nn::utils::clip_grad_norm_(state.network->parameters(), options.max_gradient);
+    if (sums) loss_sum += sums->finish(ranks);
+    if (options.max_gradient > 0) torch::nn::utils::clip_grad_norm_(parameters, options.max_gradient);
     state.optimizer->step();
     ++state.steps;
     update_average(state, options.ema_decay);
   }
   const double images = static_cast<double>(set.originals.size());
   report.training_loss = loss_sum / images;
-  report.images_per_second = images / std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds = seconds_since(start);
+  report.images_per_second = images / seconds;
+  report.loader_share = loader_seconds / seconds;
 }
 
 void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {

@@ -38,12 +38,12 @@ std::string picture(const std::vector<EpochReport>& epochs) {
 void save_history(const std::vector<EpochReport>& epochs, const std::filesystem::path& model_folder) {
   std::string csv =
       "epoch,learning_rate,training_loss,validation_loss,validation_cosine,validation_hfov_mae_deg,images_"
-      "per_second\n";
+      "per_second,loader_share\n";
   char line[256];
   for (const EpochReport& r : epochs) {
-    std::snprintf(line, sizeof line, "%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.4g\n", r.epoch, r.learning_rate,
+    std::snprintf(line, sizeof line, "%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.4g,%.3g\n", r.epoch, r.learning_rate,
                   r.training_loss, r.validation_loss, r.validation_cosine, r.validation_hfov_mae_deg,
-                  r.images_per_second);
+                  r.images_per_second, r.loader_share);
     csv += line;
   }
   write_file(model_folder / "history.csv", csv);

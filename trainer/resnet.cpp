@@ -46,8 +46,8 @@ struct BasicBlock final : nn::Module {
   }
 
   Tensor forward(const Tensor& x) {
-    const Tensor residual = bn2(conv2(torch::relu(bn1(conv1(x)))));
-    return torch::relu(residual + (downsample ? downsample->forward(x) : x));
+    const Tensor residual = bn2(conv2(bn1(conv1(x)).relu_()));
+    return residual.add_(downsample ? downsample->forward(x) : x).relu_();
   }
 };
 
@@ -76,8 +76,8 @@ struct Bottleneck final : nn::Module {
   }
 
   Tensor forward(const Tensor& x) {
-    const Tensor residual = bn3(conv3(torch::relu(bn2(conv2(torch::relu(bn1(conv1(x))))))));
-    return torch::relu(residual + (downsample ? downsample->forward(x) : x));
+    const Tensor residual = bn3(conv3(torch::relu(bn2(conv2(bn1(conv1(x)).relu_())))));
+    return residual.add_(downsample ? downsample->forward(x) : x).relu_();
   }
 };
 
@@ -116,7 +116,7 @@ struct ResNet final : Network {
   }
 
   Tensor forward(const Tensor& images, const Tensor& sizes) override {
-    Tensor x = torch::relu(bn1(conv1(options.edge_channel ? with_sobel_edges(images) : images)));
+    Tensor x = bn1(conv1(options.edge_channel ? with_sobel_edges(images) : images)).relu_();
     if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
     for (nn::Sequential& layer : layers) x = layer->forward(x);
     x = x.mean({2, 3});

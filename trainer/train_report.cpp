@@ -20,13 +20,13 @@ std::string duration(double seconds) {
 
 std::string to_string(const EpochReport& r) {
   char line[256];
-  std::snprintf(
-      line, sizeof line,
-      "epoch %3d/%d  loss %.4f  val loss %.4f  cosine %+.3f  H-FOV MAE %6.2f deg  lr %.1e  %.1f images/s  "
-      "%s left%s",
-      r.epoch, r.planned_epochs, r.training_loss, r.validation_loss, r.validation_cosine,
-      r.validation_hfov_mae_deg, r.learning_rate, r.images_per_second, duration(r.seconds_left).c_str(),
-      r.is_best ? "  *" : "");
+  std::snprintf(line, sizeof line,
+                "epoch %3d/%d  loss %.4f  val loss %.4f  cosine %+.3f  H-FOV MAE %6.2f deg  lr %.1e  %.1f "
+                "images/s (%2.0f %% "
+                "loading)  %s left%s",
+                r.epoch, r.planned_epochs, r.training_loss, r.validation_loss, r.validation_cosine,
+                r.validation_hfov_mae_deg, r.learning_rate, r.images_per_second, 100 * r.loader_share,
+                duration(r.seconds_left).c_str(), r.is_best ? "  *" : "");
   return line;
 }
 

@@ -24,13 +24,23 @@ std::vector<double> numbers(const EpochReport& r) {
           r.validation_cosine,
           r.validation_hfov_mae_deg,
           r.images_per_second,
+          r.loader_share,
           r.seconds_left,
           static_cast<double>(r.is_best)};
 }
 
 EpochReport report_from(const double* n) {
-  return {
-      static_cast<int>(n[0]), static_cast<int>(n[1]), n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9] != 0};
+  return {static_cast<int>(n[0]),
+          static_cast<int>(n[1]),
+          n[2],
+          n[3],
+          n[4],
+          n[5],
+          n[6],
+          n[7],
+          n[8],
+          n[9],
+          n[10] != 0};
 }
 
 /// The tensors whose name begins with `prefix`, without it.
@@ -162,12 +172,16 @@ TrainingState load_training_state(const TrainOptions& of_model, const std::files
     const double* number = history.data_ptr<double>();
     state.planned_epochs = static_cast<int>(*number++);
     state.steps = static_cast<std::int64_t>(*number++);
-    const std::size_t per_epoch = numbers({}).size();
-    for (std::size_t i = 2; i + per_epoch <= static_cast<std::size_t>(history.numel());
-         i += per_epoch, number += per_epoch)
-      state.epochs.push_back(report_from(number));
+    const std::int64_t per_epoch = static_cast<std::int64_t>(numbers({}).size()), count = history.numel() - 2;
+    if (count % per_epoch != 0) throw std::runtime_error("history");
+    for (std::int64_t i = 0; i < count; i += per_epoch) {
+      state.epochs.push_back(report_from(number + i));
+      if (state.epochs.back().epoch != static_cast<int>(state.epochs.size()))
+        throw std::runtime_error("history");
+    }
   } catch (const std::exception&) {
-    throw std::runtime_error(file.string() + ": lacks the optimizer's state: train again without --resume");
+    throw std::runtime_error(file.string() + ": lacks the optimizer's state or is another version's: " +
+                             "train again without --resume");
   }
   return state;
 }
