@@ -9,13 +9,25 @@
 
 namespace {
 
-/// OpenMP reads its variables while libraries load, before main. With its default, waiting threads spin,
-/// which halves the speed of training as soon as anything else runs on the machine: so start over with the
-/// other.
-void make_idle_threads_sleep(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY")) return;
-  setenv("OMP_WAIT_POLICY", "passive", 1);
-  execv("/proc/self/exe", argv);  // on failure: slower, nothing worse
+/// What libraries read while they load, before main; so it is set by starting over.
+constexpr const char* settings[][2] = {
+    // By OpenMP's default, waiting threads spin, which halves the speed of training as soon as anything else
+    // runs on the machine.
+    {"OMP_WAIT_POLICY", "passive"},
+    // Each step needs the memory of the one before: by default glibc gives it back to the system in between,
+    // which clears it page by page.
+    {"GLIBC_TUNABLES",
+     "glibc.malloc.hugetlb=1:glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=17179869184"},
+};
+
+void start_over_with_settings(char** argv) {
+  bool is_new = false;
+  for (const auto& [name, value] : settings) {
+    if (std::getenv(name)) continue;
+    setenv(name, value, 1);
+    is_new = true;
+  }
+  if (is_new) execv("/proc/self/exe", argv);  // on failure: slower, nothing worse
 }
 
 int usage(std::ostream& out, int status) {
@@ -46,7 +58,7 @@ int run(const cps::Arguments& words) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  make_idle_threads_sleep(argv);
+  start_over_with_settings(argv);
   return run(cps::Arguments(argv + 1, argv + argc));
 } catch (const boost::program_options::error& error) {
   std::cerr << "cps-train: " << error.what() << "\n";
