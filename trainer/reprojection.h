@@ -24,8 +24,8 @@ struct RayGrid {
 std::optional<RayGrid> ray_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns = 24);
 std::optional<RayGrid> ray_grid(const Calibration& truth, int columns = 24);
 
-/// The grid of a lens that must be one-to-one, coarse enough for a loss. Throws std::runtime_error that
-/// starts with `label`, the file to blame, when it is not.
+/// The whole grid, coarse enough for a loss. Throws std::runtime_error that starts with `label`, the file to
+/// blame, when a certified rectangle similar to `shape` does not show all of it.
 std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const Eigen::AlignedBox2d& shape,
                                          const std::string& label);
 

@@ -88,7 +88,7 @@ TEST_CASE("a student with the whole weight on its teacher comes to say what the 
   options.teacher = school.teacher();
   options.teacher_weight = 1;
   const TrainSummary summary = train(school.dataset, school.folder.path / "student", options, false, {});
-  CHECK(summary.epochs.back().training_loss < .1 * summary.epochs.front().training_loss);
+  CHECK(summary.epochs.back().training_loss < .2 * summary.epochs.front().training_loss);
 
   // A teacher who has hardly learned is no truth: the student is nearer to it than to the labels.
   CHECK(summary.epochs.back().training_loss < .3 * summary.epochs.back().validation_loss);
