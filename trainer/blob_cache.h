@@ -19,6 +19,13 @@ struct BadBlobs : std::runtime_error {
   BadBlobs(std::vector<int> positions, std::vector<std::string> reasons);
 };
 
+/// Takes the things that cannot be used out of the list that was asked for, and adds why to `skipped`.
+template <typename T>
+void leave_out(const BadBlobs& bad, std::vector<T>& list, std::vector<std::string>& skipped) {
+  for (std::size_t i = bad.positions.size(); i > 0; --i) list.erase(list.begin() + bad.positions[i - 1]);
+  skipped.insert(skipped.end(), bad.reasons.begin(), bad.reasons.end());
+}
+
 /// Bytes that cost more to make than to keep: a list of blobs, in memory or mapped from a file.
 struct BlobCache {
   std::vector<std::span<const std::uint8_t>> blobs;

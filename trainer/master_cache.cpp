@@ -70,9 +70,7 @@ MasterCache load_master_cache(const fs::path& dataset, Part part, bool skip_bad,
       return cache;
     } catch (const BadBlobs& bad) {
       if (!skip_bad) throw;
-      for (std::size_t i = bad.positions.size(); i > 0; --i)
-        cache.masters.erase(cache.masters.begin() + bad.positions[i - 1]);
-      cache.skipped.insert(cache.skipped.end(), bad.reasons.begin(), bad.reasons.end());
+      leave_out(bad, cache.masters, cache.skipped);
     }
   throw std::runtime_error((dataset / "masters.csv").string() + ": lists no master of the " +
                            to_string(part) + " part that can be used");

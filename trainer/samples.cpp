@@ -26,9 +26,7 @@ ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const
       return load_image_cache(dataset, images, options.reduction, cache_file);
     } catch (const BadBlobs& bad) {
       if (!options.skip_bad_images || bad.positions.size() == images.size()) throw;
-      for (std::size_t i = bad.positions.size(); i > 0; --i)
-        images.erase(images.begin() + bad.positions[i - 1]);
-      skipped.insert(skipped.end(), bad.reasons.begin(), bad.reasons.end());
+      leave_out(bad, images, skipped);
     }
 }
 

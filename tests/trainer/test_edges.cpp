@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/temporary_folder.h"
 #include "trainer/edges.h"
 #include "trainer/training_state.h"
 
