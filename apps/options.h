@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sampler/key_options.h"
+#include "sampler/recipe/key_options.h"
 
 namespace cps {
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "numbers/angles.h"
+
 namespace cps {
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "dataset/reader.h"
+#include "dataset/labels/reader.h"
 
 namespace cps {
 

@@ -7,12 +7,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "dataset/group_label.h"
-#include "dataset/verify_label.h"
-#include "distortion/true_fov.h"
-#include "distortion/view_fit.h"
-#include "distortion/warp.h"
-#include "sampler/lens_draw.h"
+#include "dataset/labels/group_label.h"
+#include "dataset/labels/label_check.h"
+#include "distortion/crop/true_fov.h"
+#include "distortion/warp/view_fit.h"
+#include "distortion/warp/warp.h"
+#include "numbers/angles.h"
+#include "sampler/lenses/lens_draw.h"
 
 namespace cps {
 namespace {

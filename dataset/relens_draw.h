@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "dataset/label.h"
+#include "dataset/labels/label.h"
 #include "distortion/image_size.h"
-#include "sampler/lens_options.h"
+#include "sampler/lenses/lens_options.h"
 
 /// Lenses for pictures that are there already, straightened: real pixels with exact labels.
 namespace cps {

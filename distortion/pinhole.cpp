@@ -1,7 +1,6 @@
 #include "distortion/pinhole.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace cps {
 
@@ -37,13 +36,6 @@ Eigen::Vector2d to_pixel(const Pinhole& camera, const Eigen::Vector2d& on_plane)
 
 Eigen::AlignedBox2d frame_on_plane(const Pinhole& camera) {
   return {to_plane(camera, {-0.5, -0.5}), to_plane(camera, {camera.width - 0.5, camera.height - 0.5})};
-}
-
-double degrees(double radians) {
-  return radians * (180 / std::numbers::pi);
-}
-double radians(double degrees) {
-  return degrees * (std::numbers::pi / 180);
 }
 
 }  // namespace cps

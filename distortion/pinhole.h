@@ -32,7 +32,4 @@ Eigen::Vector2d to_pixel(const Pinhole& camera, const Eigen::Vector2d& on_plane)
 /// The part of the plane z = 1 that the whole frame (pixel areas, not centres) sees.
 Eigen::AlignedBox2d frame_on_plane(const Pinhole& camera);
 
-double degrees(double radians);
-double radians(double degrees);
-
 }  // namespace cps

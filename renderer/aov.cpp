@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "renderer/camera_path.h"
-#include "renderer/hit_ids.h"
-#include "renderer/surface.h"
+#include "renderer/paths/hit_ids.h"
+#include "renderer/paths/surface.h"
 
 namespace cps {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/camera_rays.h"
-#include "renderer/path.h"
+#include "renderer/paths/path.h"
 #include "renderer/render.h"
 
 namespace cps {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "distortion/frame_certificate.h"
-#include "distortion/inverse.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/inverse/inverse.h"
 
 namespace cps {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "renderer/camera.h"
-#include "renderer/color.h"
-#include "renderer/pixel_filter.h"
+#include "renderer/math/color.h"
+#include "renderer/math/pixel_filter.h"
 
 namespace cps {
 

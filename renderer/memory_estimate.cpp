@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/geometry.h"
+#include "renderer/geometry/geometry.h"
 
 namespace cps {
 namespace {

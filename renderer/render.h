@@ -3,23 +3,14 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include <cstdint>
-#include <memory>
 #include <string>
 
 #include "renderer/camera.h"
-#include "renderer/pixel_filter.h"
+#include "renderer/math/pixel_filter.h"
+#include "renderer/paths/build_render_scene.h"
 #include "renderer/tiles.h"
-#include "scenes/daylight.h"
-#include "scenes/scene.h"
 
 namespace cps {
-
-/// A scene ready to be traced under one light: BVH, mip pyramids, sky tables. Built once per condition.
-struct RenderScene;
-std::shared_ptr<RenderScene> build_render_scene(const Scene& scene, const Daylight& daylight);
-
-/// Moves what rides with the car (Instance::rides), as its bonnet does. Not while the scene is rendered.
-void put_car(RenderScene& scene, const Eigen::Isometry3d& world_from_vehicle);
 
 struct RenderOptions {
   int samples = 64;  ///< per pixel

@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "renderer/cpu_time.h"
-#include "renderer/flush_denormals.h"
+#include "renderer/math/flush_denormals.h"
 
 namespace cps {
 namespace {

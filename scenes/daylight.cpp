@@ -1,8 +1,9 @@
 #include "scenes/daylight.h"
 
 #include <cmath>
-#include <numbers>
 #include <sstream>
+
+#include "numbers/angles.h"
 
 namespace cps {
 namespace {
@@ -41,8 +42,7 @@ bool Daylight::is_valid(std::string* why) const {
 }
 
 Eigen::Vector3f direction_to_sun(const Daylight& daylight) {
-  constexpr double radians = std::numbers::pi / 180;
-  const double elevation = daylight.sun_elevation_deg * radians, azimuth = daylight.sun_azimuth_deg * radians;
+  const double elevation = radians(daylight.sun_elevation_deg), azimuth = radians(daylight.sun_azimuth_deg);
   return Eigen::Vector3d(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                          -std::cos(elevation) * std::cos(azimuth))
       .cast<float>();

@@ -3,12 +3,12 @@
 #include <new>
 
 #include "scenes/gltf/cameras.h"
-#include "scenes/gltf/container.h"
-#include "scenes/gltf/extensions.h"
+#include "scenes/gltf/document/container.h"
+#include "scenes/gltf/document/extensions.h"
+#include "scenes/gltf/document/nodes.h"
 #include "scenes/gltf/instances.h"
 #include "scenes/gltf/lanes.h"
 #include "scenes/gltf/lights.h"
-#include "scenes/gltf/nodes.h"
 
 namespace cps {
 namespace {

@@ -1,12 +1,11 @@
 #include "scenes/rig.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "numbers/angles.h"
 
 namespace cps {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 bool refuse(std::string* why, const std::string& text) {
   if (why) *why = text;
@@ -50,9 +49,9 @@ Eigen::Isometry3d vehicle_from_camera(const RigCamera& camera) {
       -1, 0, 0,                    //
       0, -1, 0;
   return Eigen::Translation3d(camera.position_m) *
-         Eigen::AngleAxisd(camera.yaw_deg * radians, Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(camera.pitch_deg * radians, -Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(camera.roll_deg * radians, Eigen::Vector3d::UnitX()) *
+         Eigen::AngleAxisd(radians(camera.yaw_deg), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(radians(camera.pitch_deg), -Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(radians(camera.roll_deg), Eigen::Vector3d::UnitX()) *
          Eigen::Isometry3d(straight_ahead);
 }
 

@@ -4,14 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
+
+#include "numbers/angles.h"
 
 namespace cps {
 namespace {
 
 using namespace std::chrono;
-
-constexpr double radians = std::numbers::pi / 180;
 
 double wrapped(double value, double period) {
   const double rest = std::fmod(value, period);
@@ -57,23 +56,23 @@ std::string time_text(const Moment& moment) {
 SolarPosition solar_position(const Moment& moment, double latitude_deg, double longitude_deg) {
   const double n = days_since_2000(moment);
   const double mean_longitude_deg = 280.460 + 0.9856474 * n;
-  const double anomaly = (357.528 + 0.9856003 * n) * radians;
+  const double anomaly = radians(357.528 + 0.9856003 * n);
   const double ecliptic =
-      (mean_longitude_deg + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly)) * radians;
-  const double obliquity = (23.439 - 0.0000004 * n) * radians;
+      radians(mean_longitude_deg + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly));
+  const double obliquity = radians(23.439 - 0.0000004 * n);
   const double right_ascension = std::atan2(std::cos(obliquity) * std::sin(ecliptic), std::cos(ecliptic));
   const double declination = std::asin(std::sin(obliquity) * std::sin(ecliptic));
 
   const double sidereal_hours = 6.697375 + 0.0657098242 * n + moment.hour;  // Greenwich, mean
-  const double hour_angle = (15 * sidereal_hours + longitude_deg) * radians - right_ascension;
-  const double latitude = latitude_deg * radians;
+  const double hour_angle = radians(15 * sidereal_hours + longitude_deg) - right_ascension;
+  const double latitude = radians(latitude_deg);
   const double sine = std::sin(declination) * std::sin(latitude) +
                       std::cos(declination) * std::cos(latitude) * std::cos(hour_angle);
   const double east = -std::cos(declination) * std::sin(hour_angle);
   const double north = std::sin(declination) * std::cos(latitude) -
                        std::cos(declination) * std::sin(latitude) * std::cos(hour_angle);
-  return {.elevation_deg = std::asin(std::clamp(sine, -1.0, 1.0)) / radians,
-          .azimuth_deg = wrapped(std::atan2(east, north) / radians, 360)};
+  return {.elevation_deg = degrees(std::asin(std::clamp(sine, -1.0, 1.0))),
+          .azimuth_deg = wrapped(degrees(std::atan2(east, north)), 360)};
 }
 
 }  // namespace cps

@@ -6,10 +6,11 @@
 #include "apps/lens/verbs.h"
 #include "apps/options.h"
 #include "dataset/exchange/calibration_file.h"
-#include "distortion/fields_of_view.h"
-#include "distortion/frame_certificate.h"
-#include "distortion/inversion_survey.h"
-#include "distortion/radial_limit.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/certificate/radial_limit.h"
+#include "distortion/crop/fields_of_view.h"
+#include "distortion/inverse/inversion_survey.h"
+#include "numbers/angles.h"
 
 namespace po = boost::program_options;
 

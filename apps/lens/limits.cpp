@@ -1,4 +1,4 @@
-#include "distortion/limits.h"
+#include "distortion/crop/limits.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,11 @@
 
 #include "apps/lens/verbs.h"
 #include "apps/options.h"
-#include "dataset/files.h"
-#include "dataset/plot.h"
-#include "sampler/key_options.h"
-#include "sampler/lens_keys.h"
+#include "files/files.h"
+#include "files/plot.h"
+#include "numbers/angles.h"
+#include "sampler/recipe/key_options.h"
+#include "sampler/recipe/lens_keys.h"
 
 namespace po = boost::program_options;
 

@@ -4,11 +4,12 @@
 
 #include "apps/lens/verbs.h"
 #include "apps/options.h"
-#include "dataset/files.h"
-#include "dataset/plot.h"
-#include "sampler/key_options.h"
-#include "sampler/lens_draw.h"
-#include "sampler/lens_keys.h"
+#include "files/files.h"
+#include "files/plot.h"
+#include "numbers/angles.h"
+#include "sampler/lenses/lens_draw.h"
+#include "sampler/recipe/key_options.h"
+#include "sampler/recipe/lens_keys.h"
 
 namespace po = boost::program_options;
 

@@ -8,10 +8,10 @@
 #include "apps/options.h"
 #include "apps/render/text_options.h"
 #include "dataset/exchange/calibration_file.h"
-#include "distortion/crop.h"
-#include "distortion/frame_certificate.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/crop/crop.h"
 #include "distortion/label_algebra.h"
-#include "distortion/warp.h"
+#include "distortion/warp/warp.h"
 
 namespace po = boost::program_options;
 

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "dataset/files.h"
-#include "dataset/png.h"
+#include "files/files.h"
+#include "files/png.h"
 #include "sensor/develop.h"
 
 namespace cps {

@@ -7,13 +7,14 @@
 #include <iostream>
 
 #include "apps/options.h"
-#include "apps/progress.h"
 #include "apps/render/error_curve.h"
 #include "apps/render/lens.h"
 #include "apps/render/output_file.h"
 #include "apps/render/replay.h"
 #include "apps/render/view.h"
 #include "apps/verbs.h"
+#include "numbers/angles.h"
+#include "production/progress.h"
 #include "renderer/aov.h"
 #include "renderer/memory_estimate.h"
 #include "scenes/diffuse_materials.h"

@@ -6,7 +6,7 @@
 
 #include "apps/render/text_options.h"
 #include "renderer/camera_path.h"
-#include "renderer/hit_ids.h"
+#include "renderer/paths/hit_ids.h"
 
 namespace cps {
 namespace {

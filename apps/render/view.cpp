@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "apps/render/text_options.h"
+#include "numbers/angles.h"
 
 namespace po = boost::program_options;
 

@@ -5,9 +5,9 @@
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "dataset/exchange/calibration_file.h"
-#include "dataset/files.h"
-#include "trainer/evaluate.h"
-#include "trainer/threads.h"
+#include "files/files.h"
+#include "trainer/evaluation/evaluate.h"
+#include "trainer/network/threads.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;

@@ -1,17 +1,17 @@
-#include "trainer/predict.h"
+#include "trainer/evaluation/predict.h"
 
 #include <iostream>
 #include <stdexcept>
 
 #include "apps/options.h"
-#include "apps/picture_file.h"
+#include "apps/pictures/picture_file.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/exchange/camera_pictures.h"
-#include "dataset/files.h"
-#include "distortion/view_fit.h"
-#include "trainer/threads.h"
+#include "distortion/warp/view_fit.h"
+#include "files/files.h"
+#include "trainer/network/threads.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;

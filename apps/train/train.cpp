@@ -1,4 +1,4 @@
-#include "trainer/train.h"
+#include "trainer/training/train.h"
 
 #include <iostream>
 #include <sstream>
@@ -6,8 +6,8 @@
 #include "apps/options.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
-#include "trainer/ranks.h"
-#include "trainer/train_presets.h"
+#include "trainer/model/train_presets.h"
+#include "trainer/training/ranks.h"
 
 namespace po = boost::program_options;
 

@@ -3,12 +3,12 @@
 #include <memory>
 #include <vector>
 
-#include "distortion/certificate.h"
-#include "distortion/crop.h"
-#include "distortion/displacement.h"
-#include "distortion/inverse.h"
-#include "distortion/inverse_map.h"
-#include "distortion/limits.h"
+#include "distortion/certificate/certificate.h"
+#include "distortion/certificate/displacement.h"
+#include "distortion/crop/crop.h"
+#include "distortion/crop/limits.h"
+#include "distortion/inverse/inverse.h"
+#include "distortion/inverse/inverse_map.h"
 #include "tests/distortion/random_lens.h"
 
 using namespace cps;

@@ -3,9 +3,10 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "distortion/crop.h"
-#include "distortion/inverse_map.h"
-#include "distortion/render_noise.h"
+#include "distortion/crop/crop.h"
+#include "distortion/inverse/inverse_map.h"
+#include "distortion/warp/render_noise.h"
+#include "numbers/angles.h"
 #include "random/counter_hash.h"
 
 using namespace cps;

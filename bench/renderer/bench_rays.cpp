@@ -3,9 +3,10 @@
 
 #include <filesystem>
 
+#include "numbers/angles.h"
 #include "renderer/camera_path.h"
-#include "renderer/render_scene.h"
-#include "renderer/surface.h"
+#include "renderer/paths/render_scene.h"
+#include "renderer/paths/surface.h"
 #include "scenes/city/city.h"
 #include "scenes/gltf_import.h"
 #include "scenes/routes.h"

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "dataset/files.h"
-#include "dataset/plot.h"
+#include "files/files.h"
+#include "files/plot.h"
 
 /// Error against samples, from the CSVs of `cps render --reference`, as SVG:
 ///

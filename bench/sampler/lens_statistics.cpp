@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "dataset/files.h"
-#include "dataset/plot.h"
-#include "sampler/lens_draw.h"
-#include "sampler/sequential_draw.h"
+#include "files/files.h"
+#include "files/plot.h"
+#include "numbers/angles.h"
+#include "sampler/lenses/lens_draw.h"
+#include "sampler/lenses/sequential_draw.h"
 
 /// The tables and pictures of docs/lenses.md: lens_statistics docs/pictures
 namespace {

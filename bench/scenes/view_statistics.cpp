@@ -4,15 +4,15 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
-#include <numbers>
 
-#include "apps/scene_files.h"
 #include "bench/scenes/view_classes.h"
-#include "dataset/files.h"
-#include "dataset/plot.h"
+#include "files/files.h"
+#include "files/plot.h"
+#include "numbers/angles.h"
+#include "production/scene_files.h"
 #include "renderer/aov.h"
 #include "renderer/render.h"
-#include "sampler/plan.h"
+#include "sampler/plan/plan.h"
 #include "scenes/gltf_import.h"
 #include "sensor/develop.h"
 
@@ -73,7 +73,7 @@ void add_picture(Statistics& statistics, const OIIO::ImageBuf& picture) {
       const float down = at(x - 1, y + 1) + 2 * at(x, y + 1) + at(x + 1, y + 1) - at(x - 1, y - 1) -
                          2 * at(x, y - 1) - at(x + 1, y - 1);
       if (std::hypot(right, down) < edge_threshold) continue;
-      const double angle = std::atan2(right, down) * 180 / std::numbers::pi;
+      const double angle = degrees(std::atan2(right, down));
       statistics.edge_angle_deg.push_back(angle < 0 ? angle + 180 : angle);
     }
 }

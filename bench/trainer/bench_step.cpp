@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "trainer/training_state.h"
+#include "trainer/training/training_state.h"
 
 namespace {
 

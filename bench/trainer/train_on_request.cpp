@@ -12,8 +12,8 @@
 #include <string>
 
 #include "random/counter_hash.h"
-#include "trainer/epoch.h"
-#include "trainer/threads.h"
+#include "trainer/network/threads.h"
+#include "trainer/training/epoch.h"
 
 using namespace cps;
 

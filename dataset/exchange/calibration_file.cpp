@@ -6,7 +6,7 @@
 
 #include "dataset/exchange/formats.h"
 #include "dataset/exchange/markup.h"
-#include "dataset/files.h"
+#include "files/files.h"
 
 namespace cps {
 namespace {

@@ -1,4 +1,4 @@
-#include "dataset/camera_json.h"
+#include "dataset/exchange/camera_json.h"
 #include "dataset/exchange/formats.h"
 
 /// Our own calibration.json, of which only the keys that describe the camera are read: published CPS datasets

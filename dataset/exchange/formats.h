@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "dataset/json_keys.h"
 #include "distortion/calibrated_camera.h"
+#include "files/json_keys.h"
 
 /// The formats of calibration_file.h, one source file each. The text of every format but the line-based ones
 /// is first made into JSON (markup.h), so all of them are checked by JsonKeys. `file` is for messages.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "random/counter_hash.h"
-#include "scenes/city/city.h"
+#include "scenes/city/city_options.h"
 
 namespace cps::city {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "numbers/angles.h"
 #include "random/counter_hash.h"
 
 namespace cps {
@@ -13,7 +14,7 @@ constexpr int most_drives = 60, candidates = 200, headings = 24;
 constexpr double half_car_m = 1.2;  ///< a car and a little
 constexpr double apart_m = 3;       ///< between drives
 constexpr double shortest_m = 4, longest_m = 120, sight_m = 60;
-constexpr double step_m = 1, radians = std::numbers::pi / 180;
+constexpr double step_m = 1;
 
 struct Walker {
   Eigen::Vector2d point;  ///< x, z
@@ -81,7 +82,7 @@ std::vector<Eigen::Vector2d> walk(const GroundGrid& ground, const Taken& taken, 
     Walker best = walker;
     double best_score = -1, best_way_m = 0;
     for (const double turn_deg : {0.0, 5.0, -5.0, 10.0, -10.0}) {
-      Walker next{walker.point, walker.heading + turn_deg * radians};
+      Walker next{walker.point, walker.heading + radians(turn_deg)};
       const double way_m = free_way_m(ground, taken, next);
       next.point += step_m * ahead(next.heading);
       const double score =

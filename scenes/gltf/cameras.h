@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "scenes/gltf/document.h"
-#include "scenes/gltf/nodes.h"
+#include "scenes/gltf/document/document.h"
+#include "scenes/gltf/document/nodes.h"
 #include "scenes/scene.h"
 
 namespace cps::gltf {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "scenes/gltf/accessors.h"
-#include "scenes/gltf/morphs.h"
-#include "scenes/gltf/skins.h"
+#include "scenes/gltf/document/accessors.h"
+#include "scenes/gltf/geometry/morphs.h"
+#include "scenes/gltf/geometry/skins.h"
 
 namespace cps::gltf {
 namespace {

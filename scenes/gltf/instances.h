@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "scenes/gltf/meshes.h"
-#include "scenes/gltf/nodes.h"
+#include "scenes/gltf/document/nodes.h"
+#include "scenes/gltf/geometry/meshes.h"
 
 namespace cps::gltf {
 

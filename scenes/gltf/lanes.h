@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenes/gltf/document.h"
+#include "scenes/gltf/document/document.h"
 #include "scenes/scene.h"
 
 namespace cps::gltf {

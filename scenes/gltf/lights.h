@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "scenes/gltf/nodes.h"
+#include "scenes/gltf/document/nodes.h"
 #include "scenes/scene.h"
 
 namespace cps::gltf {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/files.h"
+#include "files/files.h"
 
 namespace cps {
 

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "cps_program.h"
-#include "street_gltf.h"
+#include "tests/apps/cps_program.h"
+#include "tests/apps/street_gltf.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "cps_program.h"
-#include "street_gltf.h"
+#include "tests/apps/cps_program.h"
+#include "tests/apps/street_gltf.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;

@@ -4,10 +4,11 @@
 #include <set>
 #include <sstream>
 
-#include "cps_program.h"
 #include "dataset/exchange/calibration_file.h"
-#include "dataset/files.h"
 #include "distortion/pinhole.h"
+#include "files/files.h"
+#include "numbers/angles.h"
+#include "tests/apps/cps_program.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cps_program.h"
+#include "tests/apps/cps_program.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;

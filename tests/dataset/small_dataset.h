@@ -4,13 +4,13 @@
 #include <fstream>
 #include <string>
 
-#include "dataset/files.h"
-#include "dataset/finish.h"
-#include "dataset/group_label.h"
-#include "dataset/image_file.h"
-#include "dataset/png.h"
+#include "dataset/job/finish.h"
+#include "dataset/job/image_file.h"
+#include "dataset/labels/group_label.h"
+#include "files/files.h"
+#include "files/png.h"
 #include "random/counter_hash.h"
-#include "sampler/plan.h"
+#include "sampler/plan/plan.h"
 #include "tests/sampler/plain_scene.h"
 #include "tests/temporary_folder.h"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "dataset/contact_sheet.h"
-#include "small_dataset.h"
+#include "tests/dataset/small_dataset.h"
 
 using namespace cps;
 

@@ -2,10 +2,11 @@
 #include <cmath>
 #include <set>
 
+#include "dataset/labels/label_check.h"
 #include "dataset/relens_draw.h"
-#include "dataset/verify_label.h"
-#include "distortion/frame_certificate.h"
-#include "distortion/inverse.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/inverse/inverse.h"
+#include "numbers/angles.h"
 
 using namespace cps;
 

@@ -5,6 +5,7 @@
 
 #include "distortion/brown_conrady.h"
 #include "distortion/pinhole.h"
+#include "numbers/angles.h"
 #include "random/counter_hash.h"
 
 /// Lenses and cameras for tests: number `index` of a stream, the same for ever.

@@ -1,9 +1,10 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "distortion/fields_of_view.h"
-#include "distortion/frame_certificate.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/crop/fields_of_view.h"
 #include "distortion/label_algebra.h"
+#include "numbers/angles.h"
 
 using namespace cps;
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "distortion/pinhole.h"
+#include "numbers/angles.h"
 
 using namespace cps;
 

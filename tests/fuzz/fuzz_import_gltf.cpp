@@ -2,13 +2,13 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "renderer/geometry.h"
-#include "renderer/lamps.h"
-#include "renderer/material.h"
+#include "renderer/geometry/geometry.h"
+#include "renderer/lights/lamps.h"
+#include "renderer/materials/material.h"
 #include "renderer/memory_estimate.h"
 #include "scenes/gltf_import.h"
 #include "tests/fuzz/mutate_gltf.h"
-#include "tests/scenes/gltf_maker.h"
+#include "tests/scenes/gltf/gltf_maker.h"
 
 namespace {
 

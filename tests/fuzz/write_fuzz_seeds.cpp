@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "tests/scenes/gltf_maker.h"
-#include "tests/scenes/gltf_samples.h"
+#include "tests/scenes/gltf/gltf_maker.h"
+#include "tests/scenes/gltf/gltf_samples.h"
 
 /// write_fuzz_seeds FOLDER: the hand-made files that fuzzing starts from.
 int main(int argc, char** argv) {

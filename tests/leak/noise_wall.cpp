@@ -4,6 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "numbers/angles.h"
 #include "renderer/render.h"
 
 namespace cps {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "distortion/render_noise.h"
+#include "distortion/warp/render_noise.h"
 #include "random/counter_hash.h"
 
 namespace cps {

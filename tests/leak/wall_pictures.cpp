@@ -6,8 +6,9 @@
 #include <cmath>
 #include <memory>
 
-#include "distortion/inverse_map.h"
-#include "sampler/lens_draw.h"
+#include "distortion/inverse/inverse_map.h"
+#include "numbers/angles.h"
+#include "sampler/lenses/lens_draw.h"
 #include "sensor/develop.h"
 
 namespace cps {

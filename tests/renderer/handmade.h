@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/render_scene.h"
+#include "numbers/angles.h"
+#include "renderer/paths/render_scene.h"
 
 /// Small scenes and light for tests.
 namespace cps::handmade {

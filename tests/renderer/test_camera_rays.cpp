@@ -1,8 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "distortion/crop.h"
-#include "distortion/frame_certificate.h"
-#include "distortion/warp.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/crop/crop.h"
+#include "distortion/warp/warp.h"
+#include "numbers/angles.h"
 #include "renderer/camera_rays.h"
 #include "renderer/image_error.h"
 #include "tests/distortion/random_lens.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "random/counter_hash.h"
-#include "renderer/surface.h"
+#include "renderer/paths/surface.h"
 #include "tests/renderer/handmade.h"
 
 using namespace cps;

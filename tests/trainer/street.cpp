@@ -1,4 +1,4 @@
-#include "street.h"
+#include "tests/trainer/street.h"
 
 #include <OpenImageIO/imageio.h>
 #include <tbb/parallel_for.h>
@@ -7,9 +7,10 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "dataset/files.h"
-#include "distortion/frame_certificate.h"
-#include "distortion/inverse.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/inverse/inverse.h"
+#include "files/files.h"
+#include "numbers/angles.h"
 #include "random/counter_hash.h"
 
 namespace cps {

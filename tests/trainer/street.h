@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "dataset/reader.h"
-#include "trainer/gray_image.h"
-#include "trainer/targets.h"
+#include "dataset/labels/reader.h"
+#include "trainer/calibration/targets.h"
+#include "trainer/images/gray_image.h"
 
 namespace cps {
 

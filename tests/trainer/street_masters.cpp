@@ -1,4 +1,4 @@
-#include "street_masters.h"
+#include "tests/trainer/street_masters.h"
 
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/files.h"
-#include "dataset/master_file.h"
-#include "distortion/warp.h"
-#include "sampler/recipe_keys.h"
-#include "sampler/recipe_values.h"
-#include "street.h"
+#include "dataset/job/master_file.h"
+#include "distortion/warp/warp.h"
+#include "files/files.h"
+#include "numbers/angles.h"
+#include "sampler/recipe/recipe_keys.h"
+#include "sampler/recipe/recipe_values.h"
+#include "tests/trainer/street.h"
 
 namespace cps {
 

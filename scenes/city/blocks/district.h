@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scenes/city/city.h"
+#include "scenes/city/city_options.h"
 #include "scenes/city/geometry/plan_geometry.h"
 
 namespace cps::city {

@@ -5,7 +5,7 @@
 
 #include "scenes/city/buildings/opening.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "scenes/city/buildings/building.h"
-#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {

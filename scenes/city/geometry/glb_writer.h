@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scenes/city/geometry/mesh.h"
-#include "scenes/city/materials/texture_noise.h"
+#include "scenes/city/image.h"
 
 namespace cps::city {
 

@@ -232,4 +232,15 @@ std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
+Polyline arc(const Vec2& centre, const Vec2& start, double sweep_rad, int steps) {
+  Polyline points;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = sweep_rad * i / steps;
+    const Vec2 spoke = start - centre;
+    points.push_back(centre + Vec2(std::cos(a) * spoke.x() - std::sin(a) * spoke.y(),
+                                   std::sin(a) * spoke.x() + std::cos(a) * spoke.y()));
+  }
+  return points;
+}
+
 }  // namespace cps::city

@@ -64,4 +64,7 @@ Polyline fillet(const Vec2& corner, const Vec2& direction_in, const Vec2& direct
 /// ones.
 std::vector<std::array<int, 3>> triangulate(const Polygon& polygon);
 
+/// Points from `start` around `centre` by `sweep_rad` (positive: anticlockwise), both ends included.
+Polyline arc(const Vec2& centre, const Vec2& start, double sweep_rad, int steps);
+
 }  // namespace cps::city

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/city/materials/texture_noise.h"
+#include "scenes/city/noise.h"
 
 namespace cps::city {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/city/materials/texture_noise.h"
+#include "scenes/city/materials/paint.h"
 
 /// The city's painted surfaces. Each is a square tile of the stated size; looks vary with the stream.
 namespace cps::city {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "scenes/city/streets/road_markings.h"
 #include "scenes/city/streets/street_network.h"
+#include "scenes/city/streets/surface/road_markings.h"
 
 namespace cps::city {
 

@@ -3,16 +3,16 @@
 #include <cmath>
 
 #include "scenes/city/buildings/building.h"
-#include "scenes/city/roadside/boundary.h"
-#include "scenes/city/roadside/bus.h"
-#include "scenes/city/roadside/bus_stop.h"
-#include "scenes/city/roadside/goods.h"
-#include "scenes/city/roadside/lorry.h"
-#include "scenes/city/roadside/overhead.h"
+#include "scenes/city/roadside/furniture/boundary.h"
+#include "scenes/city/roadside/furniture/bus_stop.h"
+#include "scenes/city/roadside/furniture/goods.h"
+#include "scenes/city/roadside/overhead/overhead.h"
 #include "scenes/city/roadside/person.h"
 #include "scenes/city/roadside/tree.h"
-#include "scenes/city/roadside/two_wheeler.h"
-#include "scenes/city/roadside/vehicle.h"
+#include "scenes/city/roadside/vehicles/bus.h"
+#include "scenes/city/roadside/vehicles/lorry.h"
+#include "scenes/city/roadside/vehicles/two_wheeler.h"
+#include "scenes/city/roadside/vehicles/vehicle.h"
 
 namespace cps::city {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "scenes/city/draws.h"
 #include "scenes/city/materials/materials.h"
-#include "scenes/city/roadside/street_furniture.h"
+#include "scenes/city/roadside/furniture/street_furniture.h"
 
 /// Everything that stands in the city more than once: stored as one mesh, placed by many nodes.
 namespace cps::city {

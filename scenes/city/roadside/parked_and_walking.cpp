@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "scenes/city/roadside/pavement_tracks.h"
-#include "scenes/city/roadside/vehicle.h"
-#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/roadside/vehicles/vehicle.h"
+#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {

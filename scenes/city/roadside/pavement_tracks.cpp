@@ -4,8 +4,8 @@
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/cycle_tracks.h"
-#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/surface/cycle_tracks.h"
+#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 

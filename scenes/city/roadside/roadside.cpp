@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <numbers>
 
-#include "scenes/city/roadside/boundary.h"
-#include "scenes/city/roadside/bus_stop.h"
-#include "scenes/city/roadside/overhead.h"
+#include "scenes/city/roadside/furniture/boundary.h"
+#include "scenes/city/roadside/furniture/bus_stop.h"
+#include "scenes/city/roadside/furniture/signals.h"
+#include "scenes/city/roadside/overhead/overhead.h"
 #include "scenes/city/roadside/parked_and_walking.h"
 #include "scenes/city/roadside/pavement_tracks.h"
-#include "scenes/city/roadside/signals.h"
 #include "scenes/city/roadside/tree.h"
-#include "scenes/city/streets/road_surface.h"
+#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/city/materials/texture_noise.h"
+#include "scenes/city/noise.h"
 #include "scenes/city/roadside/tree.h"
 
 namespace cps::city {

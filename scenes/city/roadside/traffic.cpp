@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "scenes/city/geometry/nearest_station.h"
+#include "scenes/city/roadside/furniture/signals.h"
 #include "scenes/city/roadside/kerb_side.h"
-#include "scenes/city/roadside/signals.h"
 
 namespace cps::city {
 namespace {

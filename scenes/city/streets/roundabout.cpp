@@ -4,10 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/city/geometry/strip.h"
-#include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/road_surface.h"
-
 namespace cps::city {
 namespace {
 
@@ -16,18 +12,6 @@ constexpr int fillet_steps = 6, ring_steps = 16;
 
 double angle_of(const Vec2& v) {
   return std::atan2(v.y(), v.x());
-}
-
-/// Points from `start` around `centre` by `sweep_rad` (positive: anticlockwise), both ends included.
-Polyline arc(const Vec2& centre, const Vec2& start, double sweep_rad, int steps) {
-  Polyline points;
-  for (int i = 0; i <= steps; ++i) {
-    const double a = sweep_rad * i / steps;
-    const Vec2 spoke = start - centre;
-    points.push_back(centre + Vec2(std::cos(a) * spoke.x() - std::sin(a) * spoke.y(),
-                                   std::sin(a) * spoke.x() + std::cos(a) * spoke.y()));
-  }
-  return points;
 }
 
 double sweep(const Vec2& centre, const Vec2& from, const Vec2& to) {
@@ -169,31 +153,6 @@ Polyline roundabout_way(const Roundabout& r, const Vec2& middle, const Station& 
   if (way.size() > 1 && (to.point - way.back()).norm() < 0.05) way.pop_back();
   way.push_back(to.point);
   return way;
-}
-
-Mesh island(const Roundabout& r, const Vec2& middle, const Materials& m) {
-  constexpr double paved_m = 1.3;
-  Mesh mesh{"island", {}};
-  const auto circle = [&](double radius_m) { return arc(middle, middle + Vec2(radius_m, 0), 2 * pi, 48); };
-  const auto ring = [&](MaterialId material, double outer_m, double outer_z, double inner_m, double inner_z,
-                        double tile_m) {
-    add_strip(mesh.surfaces[material], circle(inner_m), circle(outer_m), {inner_z, outer_z, tile_m});
-  };
-  const double kerb = r.island_m, top = kerb_height_m;
-  ring(m.kerb, kerb, -0.05, kerb, top, kerb_tile_m);
-  ring(m.kerb, kerb, top, kerb - kerb_width_m, top, kerb_tile_m);
-  ring(m.paving, kerb - kerb_width_m, top, kerb - paved_m, top, paving_tile_m);
-  const double lawn = kerb - paved_m;
-  const auto mound = [&](double share) { return top + 0.035 * lawn * (1 - share * share); };
-  for (int k = 4; k > 0; --k) {
-    const double outer = k / 4.0, inner = (k - 1) / 4.0;
-    ring(m.grass, lawn * outer, mound(outer), lawn * inner, mound(inner), grass_tile_m);
-  }
-  Surface& grass = mesh.surfaces[m.grass];
-  for (std::size_t i = 0; i < grass.positions.size(); ++i)  // painted from above: blades do not fan out
-    grass.uvs[i] =
-        Eigen::Vector2f(grass.positions[i].x(), grass.positions[i].z()) / static_cast<float>(grass_tile_m);
-  return mesh;
 }
 
 }  // namespace cps::city

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "scenes/city/draws.h"
-#include "scenes/city/materials/materials.h"
 #include "scenes/city/streets/street_network.h"
 
 /// Roundabouts with one lane, or two where wide streets meet, around a kerbed island; traffic circles
@@ -29,8 +28,5 @@ Polyline around_roundabout(const Roundabout& roundabout, const Vec2& middle, con
 /// the outer kerb).
 Polyline roundabout_way(const Roundabout& roundabout, const Vec2& middle, const Station& from,
                         const Station& to, int lane);
-
-/// The island: a kerb, a paved ring, grass that rises to the middle.
-Mesh island(const Roundabout& roundabout, const Vec2& middle, const Materials& materials);
 
 }  // namespace cps::city

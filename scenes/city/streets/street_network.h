@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/city/city.h"
+#include "scenes/city/city_options.h"
 #include "scenes/city/geometry/plan_geometry.h"
 
 /// The streets as a planar graph: junctions joined by segments; the faces between them are the blocks.

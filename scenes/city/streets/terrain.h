@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenes/city/city.h"
+#include "scenes/city/city_options.h"
 #include "scenes/city/geometry/mesh.h"
 
 /// The lie of the land. Everything is built over a level plan, heights counted from the carriageway; what is

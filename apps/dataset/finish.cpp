@@ -1,0 +1,64 @@
+#include "dataset/job/finish.h"
+
+#include <iostream>
+
+#include "apps/options.h"
+#include "apps/verbs.h"
+#include "dataset/job/gaps.h"
+#include "dataset/job/journal.h"
+#include "production/dataset_job.h"
+#include "production/interruption.h"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+constexpr const char* usage =
+    "cps finish DATASET\n"
+    "Makes a dataset of what cps generate --shard made, on however many machines: joins the journals, says "
+    "what "
+    "is missing, or writes the lists and dataset.json. Recipe and scenes are those that the folder was begun "
+    "with.\n"
+    "Exit status: 0 finished, 1 views are missing, or failed, 75 interrupted, or other processes still work "
+    "there: run it again.\n";
+
+int finish(const fs::path& root) {
+  const std::string name = root.string();
+  if (is_finished(root)) {
+    std::cout << name << ": is finished; nothing to do\n";
+    return 0;
+  }
+  DatasetJob job = job_of_folder(root);
+  const FileLock folder(folder_lock(root), FileLock::Kind::exclusive);
+  if (!folder.is_held())
+    throw HeldByAnother(name + ": other processes still work there; run it again when they are done");
+  prepare_scenes(job, root);
+  const Plan plan = plan_of(job);
+  const JournalLines journals = read_journals(root);
+  const Gaps gaps = find_gaps(root, plan, journals.views);
+  if (!gaps.views.empty()) {
+    for (const std::string& line : gaps.lines) std::cerr << name << ": " << line << "\n";
+    return 1;
+  }
+  finish_dataset(root, plan, journals.views, job.scene_sha256);
+  std::cout << name << ": finished: " << plan.views.size() << " views, " << image_count(plan) << " images\n";
+  return 0;
+}
+
+}  // namespace
+
+int cps_finish(const Arguments& arguments) {
+  po::options_description options("Options");
+  options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder");
+  po::positional_options_description positional;
+  positional.add("dataset", 1);
+  po::variables_map values;
+  if (!parse_options(arguments, usage, options, positional, values)) return 0;
+  po::notify(values);
+  const auto& root = values["dataset"].as<std::string>();
+  return run_interruptible(root, [&] { return finish(root); });
+}
+
+}  // namespace cps

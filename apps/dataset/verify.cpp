@@ -1,0 +1,93 @@
+#include "dataset/verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "apps/options.h"
+#include "apps/verbs.h"
+#include "dataset/verify/verify_plan.h"
+#include "production/dataset_job.h"
+#include "production/rerender.h"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+constexpr const char* usage =
+    "cps verify DATASET [--rerender N]\n"
+    "Checks every file of a finished dataset against its labels, and every label against itself. Where the "
+    "job "
+    "and its scenes are there, the plan is made again and labels, lists and poses are compared with it. "
+    "With --rerender N drawn images are rendered again through the lens of their label, ray by ray, and "
+    "compared with what is stored; the figures go to .cps/rerender.json. Exit 1 when something is wrong.\n";
+
+bool are_scenes_there(const DatasetJob& job) {
+  return std::all_of(job.scenes.begin(), job.scenes.end(),
+                     [](const PlannedScene& scene) { return fs::exists(scene.file); });
+}
+
+/// One line, also in the report.
+std::string brief(const std::vector<RerenderedImage>& images) {
+  double shift = 0, blocks = 0, least_db = 1e30;
+  for (const RerenderedImage& image : images) {
+    const Registration& found = image.registration;
+    shift = std::max(shift, std::hypot(found.shift_x_px, found.shift_y_px));
+    blocks = std::max(blocks, found.block_rms_px);
+    least_db = std::min(least_db, found.psnr_db);
+  }
+  return fmt::format(
+      "{} images rendered again: shifts up to {:.3f} px, blocks up to {:.3f} px rms, at least {:.1f} dB",
+      images.size(), shift, blocks, least_db);
+}
+
+/// What planning and rendering again finds wrong.
+std::vector<std::string> faults_by_making_again(const fs::path& root, const RerenderOptions& options) {
+  const auto skip = [&](const std::string& why) -> std::vector<std::string> {
+    if (options.images > 0) throw std::runtime_error(root.string() + ": " + why + ", which --rerender needs");
+    std::cout << root.string() << ": " << why << ": not planned again\n";
+    return {};
+  };
+  if (!has_job(root)) return skip("has no .cps/job.json");
+  DatasetJob job = job_of_folder(root);
+  if (!are_scenes_there(job)) return skip("its scenes are not there");
+  prepare_scenes(job, root);
+  const Plan plan = plan_of(job);
+  std::vector<std::string> faults = faults_against_plan(root, plan);
+  if (options.images == 0) return faults;
+  const std::vector<RerenderedImage> images = rerender(root, plan, options);
+  write_report(root, options, images);
+  std::cout << brief(images) << "\n";
+  for (const RerenderedImage& image : images)
+    if (!image.fault.empty()) faults.push_back(image.file + ": " + image.fault);
+  return faults;
+}
+
+}  // namespace
+
+int cps_verify(const Arguments& arguments) {
+  RerenderOptions again;
+  po::options_description options("Options");
+  options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder")(
+      "rerender", po::value(&again.images)->default_value(again.images), "so many drawn images")(
+      "samples", po::value(&again.samples)->default_value(again.samples), "per pixel, to render them with")(
+      "seed", po::value(&again.seed)->default_value(again.seed), "of their draw");
+  po::positional_options_description positional;
+  positional.add("dataset", 1);
+  po::variables_map values;
+  if (!parse_options(arguments, usage, options, positional, values)) return 0;
+  po::notify(values);
+  if (again.images < 0) throw po::error("--rerender: must not be negative");
+  if (again.samples < 1 || again.samples > 65536) throw po::error("--samples: must lie in [1, 65536]");
+  const fs::path root = values["dataset"].as<std::string>();
+  VerifySummary summary = verify_dataset(root);
+  for (std::string& fault : faults_by_making_again(root, again)) summary.faults.push_back(std::move(fault));
+  for (const std::string& fault : summary.faults) std::cerr << fault << "\n";
+  std::cout << summary.brief() << "\n";
+  return summary.faults.empty() ? 0 : 1;
+}
+
+}  // namespace cps

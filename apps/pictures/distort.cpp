@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <iostream>
+#include <stdexcept>
+
+#include "apps/options.h"
+#include "apps/pictures/resampling.h"
+#include "apps/verbs.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/label_algebra.h"
+#include "distortion/warp/view_fit.h"
+#include "numbers/angles.h"
+#include "sampler/lenses/lens_draw.h"
+#include "sampler/recipe/lens_keys.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+struct DistortRequest : ResamplingRequest {
+  double hfov_deg = 0;      ///< of the pictures; 0: given by `source_file`
+  std::string source_file;  ///< their calibration, without distortion
+  std::string scheme;       ///< the lens is drawn by it; empty: it is read from `lens_file`
+  std::uint64_t seed = 0;
+  int number = 1;
+  LensOptions lenses;
+  bool require_resolution = false;
+};
+
+/// The keys that bound drawn lenses and the crop; the scheme has a flag of its own here.
+template <typename Visitor>
+void for_each_draw_key(LensOptions& lenses, Visitor visit) {
+  for_each_lens_key(lenses, [&](const char* key, auto& member, const char* help) {
+    if (std::string_view(key) != "lens_draw") visit(key, member, help);
+  });
+}
+
+po::options_description describe_all(DistortRequest& request) {
+  po::options_description options = describe(request);
+  auto add = options.add_options();
+  add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees");
+  add("source", po::value(&request.source_file), "or the input's calibration, without distortion");
+  add("draw", po::value(&request.scheme),
+      "draw the lens: sequential, shape_prior, real_lenses; instead of --lens");
+  add("seed", po::value(&request.seed)->default_value(request.seed), "of the draw");
+  add("number", po::value(&request.number)->default_value(request.number),
+      "which of the lenses that cps lens sample lists");
+  add("require-resolution", po::bool_switch(&request.require_resolution),
+      "fail where the input is too coarse for the kernel, instead of widening it there");
+  options.add(key_options("The crop, and lenses that are drawn",
+                          [&](auto visit) { for_each_draw_key(request.lenses, visit); }));
+  return options;
+}
+
+void check_all(DistortRequest& request, const po::variables_map& values) {
+  check(request);
+  if (request.lens_file.empty() == request.scheme.empty())
+    throw po::error("name the lens: either --lens FILE or --draw SCHEME");
+  if ((values.count("hfov") > 0) == !request.source_file.empty())
+    throw po::error("say what the input is: either --hfov DEG or --source FILE");
+  if (values.count("hfov") && !(request.hfov_deg >= 1 && request.hfov_deg <= 175))
+    throw po::error("--hfov: must lie between 1 and 175 degrees");
+  if (request.number < 1) throw po::error("--number: must be at least 1");
+  read_key_flags(values, [&](auto visit) { for_each_draw_key(request.lenses, visit); });
+  if (!request.scheme.empty()) request.lenses.scheme = flag_value<LensScheme>("draw", request.scheme);
+  if (std::string why; !request.lenses.is_valid(&why)) throw po::error(why);
+}
+
+/// What took the input.
+Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJob>& jobs) {
+  if (request.source_file.empty()) {
+    const Eigen::Vector2i size = first_size(jobs);
+    return pinhole_from_hfov(size.x(), size.y(), radians(request.hfov_deg));
+  }
+  const CalibratedCamera source =
+      chosen_camera(read_calibration(request.source_file), "", request.source_file);
+  if (source.distortion != Distortion{})
+    throw std::runtime_error(request.source_file +
+                             ": k1 k2 p1 p2 k3: are not 0; straighten the input first (cps undistort)");
+  return source.camera;
+}
+
+/// The camera that the output is to look as if taken by, but for the zoom.
+CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& source) {
+  const ImageSize size = request.size.empty() ? ImageSize{source.width, source.height}
+                                              : flag_value<ImageSize>("size", request.size);
+  if (!request.lens_file.empty()) {
+    CalibratedCamera camera =
+        chosen_camera(read_calibration(request.lens_file), request.lens_camera, request.lens_file);
+    return request.size.empty() ? camera : resized(camera, size.width, size.height);
+  }
+  const Pinhole base = pinhole_from_hfov(size.width, size.height, hfov_rad(source));
+  const DrawnLens lens = draw_lens(base, CropOrder::base_first, request.lenses,
+                                   substream(make_stream(request.seed, "lens"), request.number));
+  return {"drawn", lens.crop.camera, lens.distortion};
+}
+
+/// Where the lens enlarges most an output pixel has `least_source_px` source pixels per axis. Says on stderr,
+/// or throws std::runtime_error if that is asked for, when they are fewer than its kernel needs.
+void report_resolution(const DistortRequest& request, double least_source_px) {
+  const double needed = 1 / largest_magnification({.oversampling = 1, .kernel_sigma_px = request.sigma_px});
+  if (resampling_of(request) != Resampling::footprint || least_source_px >= needed) return;
+  const std::string line = fmt::format(
+      "{}: where the lens enlarges most an output pixel has {:.3g} source pixels per axis, its kernel needs "
+      "{:.3g}: use a finer "
+      "source, or --sigma {:.2g}",
+      request.input, least_source_px, needed, request.sigma_px * needed / least_source_px + 0.005);
+  if (request.require_resolution) throw std::runtime_error(line);
+  std::cerr << line << "; widened there\n";
+}
+
+}  // namespace
+
+int cps_distort(const Arguments& arguments) {
+  DistortRequest request;
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map values;
+  if (!parse_options(
+          arguments,
+          R"(cps distort INPUT -o OUTPUT (--lens CALIBRATION | --draw SCHEME) (--hfov DEG | --source CALIBRATION)
+Shows ideal pictures, a simulator's for instance, as a lens would, and writes their label.
+
+The output is what the calibration's camera would have taken; or, where that sees more than the input shows,
+the same zoomed in until there is no black border (--max_zoom 1 forbids that). A drawn lens is cropped like
+those of cps generate. Size, resampling and label are the same for all pictures of a folder and for their ids
+and depth. A source of twice the output's resolution keeps sharpness the same all over the picture.
+
+Pixel type, channels and file format stay as they are. In a folder, pictures that fail are named, the others
+are made all the same, and the exit status is 1.
+)",
+          describe_all(request), positional, values))
+    return 0;
+  po::notify(values);
+  check_all(request, values);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+
+  const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
+  const Pinhole source = source_camera(request, jobs);
+  CalibratedCamera output = wanted_camera(request, source);
+  const double unzoomed = output.camera.fx;
+  const ViewFit fit =
+      fit_distorted_view(source, output, request.sigma_px, request.lenses.principal_point.max_zoom);
+  if (!fit.valid) throw std::runtime_error(request.input + ": " + fit.why);
+  output.camera = fit.camera;
+  const FrameCertificate proof = certify_frame(output.distortion, output.camera, warpable);
+  if (!proof.valid()) throw std::runtime_error(request.lens_file + ": " + proof.why);
+  report_resolution(request, std::min(source.fx / fit.camera.fx, source.fy / fit.camera.fy) /
+                                 proof.certificate.max_eigenvalue);
+
+  const WarpOptions options{.oversampling = 1,
+                            .kernel_sigma_px = request.sigma_px,
+                            .resampling = resampling_of(request),
+                            .require_resolution = false};
+  const Encoding encoding = encoding_from_string(request.encoding);
+  const std::filesystem::path label = label_path(request, jobs);
+  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
+  const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
+    const Picture picture =
+        read_picture(job.input, encoding, options.resampling, source.width, source.height);
+    write_picture(job.output, warp(picture.pixels, source, output.distortion, output.camera, options),
+                  picture);
+  });
+  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees, zoom {:.4f}; {} pictures, {} failed\n", label.string(),
+             fit.camera.width, fit.camera.height, degrees(hfov_rad(fit.camera)), fit.camera.fx / unzoomed,
+             jobs.size() - failed, failed);
+  return failed > 0 ? 1 : 0;
+}
+
+}  // namespace cps

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <stdexcept>
+
+#include "apps/options.h"
+#include "apps/pictures/picture_file.h"
+#include "apps/verbs.h"
+#include "dataset/exchange/calibration_file.h"
+#include "dataset/exchange/camera_pictures.h"
+#include "dataset/relens_draw.h"
+#include "distortion/warp/view_fit.h"
+#include "files/files.h"
+#include "production/progress.h"
+#include "sampler/recipe/lens_keys.h"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+struct RelensRequest {
+  std::string kitti, pictures, lens, camera, output, scheme = "shape_prior", size;
+  RelensOptions options;
+  int threads = 0;
+};
+
+po::options_description describe(RelensRequest& r) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("kitti", po::value(&r.kitti), "a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
+  add("pictures", po::value(&r.pictures), "and/or a folder of pictures of one camera");
+  add("lens", po::value(&r.lens), "that camera's calibration, in any format that cps lens check reads");
+  add("camera", po::value(&r.camera), "which of the file's cameras, by name");
+  add("output,o", po::value(&r.output)->required(), "the dataset's folder, made anew");
+  add("lenses", po::value(&r.options.lenses)->default_value(r.options.lenses), "for each camera");
+  add("draw", po::value(&r.scheme)->default_value(r.scheme), "sequential, shape_prior, real_lenses");
+  add("size", po::value(&r.size), "WIDTHxHEIGHT of the output [half the pictures']");
+  add("narrowest", po::value(&r.options.narrowest)->default_value(r.options.narrowest),
+      "the crops' H-FOV before their lens, at least, as a share of the widest that fits");
+  add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of the lenses");
+  add("threads", po::value(&r.threads)->default_value(r.threads), "0: all");
+  return options;
+}
+
+std::vector<CameraPictures> sources(const RelensRequest& r) {
+  if (r.kitti.empty() && r.pictures.empty()) throw po::error("name pictures: --kitti or --pictures");
+  if (r.pictures.empty() != r.lens.empty()) throw po::error("--pictures and --lens go together");
+  std::vector<CameraPictures> cameras;
+  if (!r.kitti.empty()) {
+    cameras = kitti_raw(r.kitti);
+    for (CameraPictures& c : cameras) c.camera.name = "kitti" + c.camera.name;
+  }
+  if (!r.pictures.empty())
+    cameras.push_back({chosen_camera(read_calibration(r.lens), r.camera, r.lens), pictures_in(r.pictures)});
+  return cameras;
+}
+
+/// Straightens each picture, and sends it through every lens. Returns the names of what it wrote.
+std::string make_images(const CameraPictures& source, const Pinhole& straight,
+                        const std::vector<RelensGroup>& groups, const fs::path& root, Progress& progress) {
+  std::string names;
+  const WarpOptions straighten{.oversampling = 1, .require_coverage = false, .require_resolution = false},
+      bend{.oversampling = 1};
+  for (std::size_t i = 0; i < source.files.size(); ++i) {
+    const Pinhole& camera = source.camera.camera;
+    const Picture picture = read_picture(source.files[i], Encoding::automatic, Resampling::footprint,
+                                         camera.width, camera.height);
+    const OIIO::ImageBuf ideal =
+        unwarp(picture.pixels, camera, source.camera.distortion, straight, straighten);
+    for (const RelensGroup& group : groups) {
+      const std::string name = fmt::format("{}/{:06}.png", group.folder, i);
+      write_picture(root / name, warp(ideal, straight, group.label.distortion, group.label.camera, bend),
+                    picture);
+      names += name + "\n";
+      progress.advance(1, name);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+int cps_relens(const Arguments& arguments) {
+  RelensRequest request;
+  po::variables_map values;
+  if (!parse_options(arguments,
+                     R"(cps relens (--kitti FOLDER | --pictures FOLDER --lens CALIBRATION) -o DATASET
+Real pictures with many exact labels: each is straightened by its known lens and shown again through drawn,
+certified lenses and their crops. What comes out is a dataset whose images are all `test`: for cps eval.
+
+A lens and crop for which the pictures are too coarse, or do not reach far enough, is drawn again.
+)",
+                     describe(request), {}, values))
+    return 0;
+  po::notify(values);
+  request.options.lens.scheme = flag_value<LensScheme>("draw", request.scheme);
+  if (!request.size.empty()) request.options.size = flag_value<ImageSize>("size", request.size);
+  if (std::string why; !request.options.is_valid(&why)) throw po::error(why);
+  if (fs::exists(request.output)) throw std::runtime_error(request.output + ": exists; name a new folder");
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+
+  const std::vector<CameraPictures> cameras = sources(request);
+  std::int64_t images = 0;
+  for (const CameraPictures& c : cameras)
+    images += static_cast<std::int64_t>(c.files.size()) * request.options.lenses;
+  Progress progress("images", 0, images);
+  const fs::path root = request.output;
+  std::string names;
+  int first_lens = 1;
+  for (const CameraPictures& source : cameras) {
+    const Pinhole& camera = source.camera.camera;
+    const ViewFit straight = fit_straight_view(source.camera, Keep::valid, camera.width, camera.height, .5);
+    if (!straight.valid) throw std::runtime_error("camera " + source.camera.name + ": " + straight.why);
+    const std::vector<RelensGroup> groups =
+        draw_relens_groups(straight.camera, source.camera.name, first_lens, request.options);
+    first_lens += static_cast<int>(groups.size());
+    for (const RelensGroup& group : groups)
+      write_json(root / group.folder / "calibration.json", to_json(group.label));
+    names += make_images(source, straight.camera, groups, root, progress);
+  }
+  for (const char* part : {"train", "val"}) write_file(root / "splits" / (std::string(part) + ".txt"), {});
+  write_file(root / "splits/test.txt", names);
+  progress.finish();
+  return 0;
+}
+
+}  // namespace cps

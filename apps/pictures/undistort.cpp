@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <stdexcept>
+
+#include "apps/options.h"
+#include "apps/pictures/resampling.h"
+#include "apps/verbs.h"
+#include "distortion/certificate/frame_certificate.h"
+#include "distortion/label_algebra.h"
+#include "distortion/warp/view_fit.h"
+#include "numbers/angles.h"
+
+namespace po = boost::program_options;
+
+namespace cps {
+namespace {
+
+struct UndistortRequest : ResamplingRequest {
+  std::string keep = "valid";
+  double hfov_deg = 0;  ///< 0: from `keep`
+  bool rescale = false;
+};
+
+po::options_description describe_all(UndistortRequest& request) {
+  po::options_description options = describe(request);
+  auto add = options.add_options();
+  add("keep", po::value(&request.keep)->default_value(request.keep),
+      "valid: the widest view without black; all: everything the input shows, with black; camera: the "
+      "calibration's own matrix, as OpenCV's undistort");
+  add("hfov", po::value(&request.hfov_deg), "instead of --keep: the output's, degrees, with black beyond");
+  add("rescale", po::bool_switch(&request.rescale),
+      "the pictures are the calibrated ones at another size: scale the calibration");
+  return options;
+}
+
+Keep keep_from_string(const std::string& word) {
+  if (word == "valid") return Keep::valid;
+  if (word == "all") return Keep::all;
+  if (word == "camera") return Keep::camera;
+  throw po::error("--keep " + word + ": is none of valid, all, camera");
+}
+
+void check_all(const UndistortRequest& request, const po::variables_map& values) {
+  check(request);
+  keep_from_string(request.keep);
+  if (request.lens_file.empty()) throw po::error("name the lens: --lens FILE");
+  if (values.count("hfov") && !values["keep"].defaulted()) throw po::error("choose --keep or --hfov");
+  if (values.count("hfov") && !(request.hfov_deg >= 1 && request.hfov_deg <= 175))
+    throw po::error("--hfov: must lie between 1 and 175 degrees");
+}
+
+CalibratedCamera source_camera(const UndistortRequest& request, const std::vector<PictureJob>& jobs) {
+  const CalibratedCamera camera =
+      chosen_camera(read_calibration(request.lens_file), request.lens_camera, request.lens_file);
+  if (!request.rescale) return camera;
+  const Eigen::Vector2i size = first_size(jobs);
+  return resized(camera, size.x(), size.y());
+}
+
+Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& source) {
+  const ImageSize size = request.size.empty() ? ImageSize{source.camera.width, source.camera.height}
+                                              : flag_value<ImageSize>("size", request.size);
+  if (request.hfov_deg > 0) return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
+  const ViewFit fit =
+      fit_straight_view(source, keep_from_string(request.keep), size.width, size.height, request.sigma_px);
+  if (!fit.valid) throw std::runtime_error(request.lens_file + ": " + fit.why);
+  return fit.camera;
+}
+
+}  // namespace
+
+int cps_undistort(const Arguments& arguments) {
+  UndistortRequest request;
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map values;
+  if (!parse_options(
+          arguments,
+          R"(cps undistort INPUT -o OUTPUT --lens CALIBRATION [--keep valid|all|camera | --hfov DEG]
+Straightens pictures taken through a lens, and writes the label of the pinhole camera that they then have.
+
+Straight lines of the world become straight. Unless --keep camera, the output has square pixels and a centred
+principal point. What the input does not show is black (0).
+
+Pixel type, channels and file format stay as they are. In a folder, pictures that fail are named, the others
+are made all the same, and the exit status is 1.
+)",
+          describe_all(request), positional, values))
+    return 0;
+  po::notify(values);
+  check_all(request, values);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+
+  const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
+  const CalibratedCamera source = source_camera(request, jobs);
+  const FrameCertificate proof = certify_frame(source.distortion, source.camera, warpable);
+  if (!proof.certificate.valid) throw std::runtime_error(request.lens_file + ": " + proof.why);
+  if (!proof.valid()) fmt::print(stderr, "{}: {}; the rest is left out\n", request.lens_file, proof.why);
+  const CalibratedCamera output{source.name, output_camera(request, source), {}};
+
+  const WarpOptions options{.oversampling = 1,
+                            .kernel_sigma_px = request.sigma_px,
+                            .resampling = resampling_of(request),
+                            .require_coverage = false,
+                            .require_resolution = false};
+  const Encoding encoding = encoding_from_string(request.encoding);
+  const std::filesystem::path label = label_path(request, jobs);
+  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
+  const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
+    const Picture picture =
+        read_picture(job.input, encoding, options.resampling, source.camera.width, source.camera.height);
+    write_picture(job.output,
+                  unwarp(picture.pixels, source.camera, source.distortion, output.camera, options), picture);
+  });
+  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees; {} pictures, {} failed\n", label.string(),
+             output.camera.width, output.camera.height, degrees(hfov_rad(output.camera)),
+             jobs.size() - failed, failed);
+  return failed > 0 ? 1 : 0;
+}
+
+}  // namespace cps

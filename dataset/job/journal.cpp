@@ -1,0 +1,129 @@
+#include "dataset/job/journal.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "files/files.h"
+
+namespace cps {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path journal_file(const fs::path& dataset, const Shard& shard) {
+  return dataset / ".cps" /
+         ("journal_" + std::to_string(shard.index) + "_of_" + std::to_string(shard.count) + ".jsonl");
+}
+
+/// The journals that are there, sorted by name.
+std::vector<std::pair<Shard, fs::path>> journals_in(const fs::path& dataset) {
+  std::vector<std::pair<Shard, fs::path>> journals;
+  if (!fs::is_directory(dataset / ".cps")) return journals;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dataset / ".cps")) {
+    Shard shard;
+    const std::string name = entry.path().filename().string();
+    if (std::sscanf(name.c_str(), "journal_%ld_of_%ld", &shard.index, &shard.count) == 2 &&
+        entry.path() == journal_file(dataset, shard))
+      journals.emplace_back(shard, entry.path());
+  }
+  std::sort(journals.begin(), journals.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  return journals;
+}
+
+/// The length of the whole lines that `text` begins with.
+std::size_t length_of_lines(const std::string& text) {
+  return text.rfind('\n') + 1;  // npos + 1 = 0: no whole line
+}
+
+/// Eight digits that a damaged line does not have.
+std::string check_digits(const nlohmann::ordered_json& line) {
+  return sha256(line.dump()).substr(0, 8);
+}
+
+std::string line_of(const ViewRecord& record) {
+  nlohmann::ordered_json line = to_json(record);
+  line["check"] = check_digits(line);
+  return line.dump() + "\n";
+}
+
+/// Throws when the line is not as it was written.
+ViewRecord record_of(const std::string& text, const fs::path& file) {
+  nlohmann::ordered_json line = nlohmann::ordered_json::parse(text);
+  const std::string check = line.value("check", "");
+  line.erase("check");
+  if (check != check_digits(line)) throw std::runtime_error(file.string() + ": a line is damaged");
+  return view_record_from_json(line, file.string());
+}
+
+void read_journal(const fs::path& file, JournalLines& lines) {
+  const std::string text = read_file(file);
+  std::istringstream whole_lines(text.substr(0, length_of_lines(text)));
+  for (std::string line; std::getline(whole_lines, line);) try {
+      ViewRecord record = record_of(line, file);
+      lines.views[record.view] = std::move(record);
+    } catch (const std::exception&) {
+      ++lines.unreadable;
+    }
+}
+
+}  // namespace
+
+JournalLines read_journals(const fs::path& dataset) {
+  JournalLines lines;
+  for (const auto& [shard, file] : journals_in(dataset)) read_journal(file, lines);
+  return lines;
+}
+
+std::vector<std::int64_t> journalled_shard_counts(const fs::path& dataset) {
+  std::set<std::int64_t> counts;
+  for (const auto& [shard, file] : journals_in(dataset)) counts.insert(shard.count);
+  return {counts.begin(), counts.end()};
+}
+
+fs::path folder_lock(const fs::path& dataset) {
+  return dataset / ".cps" / "lock";
+}
+
+bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
+  const auto is_there = [&](const auto& made) {
+    std::error_code missing;
+    const std::uintmax_t bytes = fs::file_size(dataset / made.file, missing);
+    return !missing && bytes == made.bytes;
+  };
+  return std::all_of(record.images.begin(), record.images.end(), is_there) &&
+         (!record.master || is_there(*record.master));
+}
+
+Journal::Journal(const fs::path& dataset, const Shard& shard)
+    : file_(journal_file(dataset, shard)), lock_(file_, FileLock::Kind::exclusive) {
+  if (!lock_.is_held())
+    throw HeldByAnother(dataset.string() + ": shard " + to_string(shard) +
+                        " is being made by another process; wait for it or choose another shard");
+  const std::string text = read_file(file_);
+  if (ftruncate(lock_.descriptor(), static_cast<off_t>(length_of_lines(text))) != 0)
+    throw std::runtime_error(file_.string() + ": cannot be written: " + std::strerror(errno));
+}
+
+void Journal::append(const ViewRecord& record) {
+  const std::string line = line_of(record);
+  const off_t before = lseek(lock_.descriptor(), 0, SEEK_END);
+  // One write, so that a kill leaves either the whole line or a last line without its end.
+  errno = 0;
+  const ssize_t written = write(lock_.descriptor(), line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size()) && fdatasync(lock_.descriptor()) == 0) return;
+  const std::string cause = errno ? std::strerror(errno) : "the disk is full";
+  if (before < 0 || ftruncate(lock_.descriptor(), before) != 0) {
+    // The next process to open the journal removes the cut line.
+  }
+  throw std::runtime_error(file_.string() + ": cannot be written: " + cause);
+}
+
+}  // namespace cps

@@ -1,0 +1,96 @@
+#include "dataset/labels/label.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "dataset/exchange/camera_json.h"
+#include "files/json_keys.h"
+#include "numbers/angles.h"
+
+namespace cps {
+namespace {
+
+/// K and fov are written with full precision, so they agree far better than this.
+constexpr double agreement = 1e-6;
+
+/// What is written twice must agree.
+void check_camera(const Pinhole& camera, const JsonKeys& reader) {
+  if (!(camera.fx > 0 && camera.fy > 0)) reader.fail("K", "focal lengths must be positive");
+  const double focal_from_fov = camera.width / (2 * std::tan(radians(reader.number("fov")) / 2));
+  if (!(std::abs(camera.fx - focal_from_fov) <= agreement * camera.fx))
+    reader.fail("fov", "contradicts K[0][0], which should be width / (2 tan(fov/2))");
+  if (!(std::abs(reader.number("cx") - camera.cx) <= agreement * camera.width))
+    reader.fail("cx", "contradicts K[0][2]");
+  if (!(std::abs(reader.number("cy") - camera.cy) <= agreement * camera.height))
+    reader.fail("cy", "contradicts K[1][2]");
+}
+
+}  // namespace
+
+Pinhole base_of(const Label& label) {
+  return pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
+}
+
+nlohmann::ordered_json to_json(const Label& label) {
+  nlohmann::ordered_json limits;
+  for (std::size_t i = 0; i < lens_keys.size(); ++i) {
+    limits[lens_keys[i]] = nullptr;
+    if (label.limits[i]) limits[lens_keys[i]] = {label.limits[i]->low, label.limits[i]->high};
+  }
+  nlohmann::ordered_json json = {{"schema", label_schema}};
+  json.update(camera_json(label.camera, label.distortion));
+  json.update(nlohmann::ordered_json{
+      {"fov_base_deg", label.fov_base_deg},
+      {"fov_true_deg",
+       {{"h", label.fov_true_h_deg}, {"v", label.fov_true_v_deg}, {"d", label.fov_true_d_deg}}},
+      {"crop", {{"zoom", label.zoom}}},
+      {"certificate",
+       {{"min_eigenvalue", label.certificate_min_eigenvalue},
+        {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
+      {"limits", limits},
+      {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera)}}},
+      {"part", to_string(label.part)},
+      {"seed", label.seed},
+      {"generator", label.generator}});
+  return json;
+}
+
+Label label_from_json(const nlohmann::json& json, const std::string& file) {
+  const JsonKeys reader{json, file};
+  if (reader.number("schema") != label_schema)
+    reader.fail("schema",
+                "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
+  Label label;
+  const CalibratedCamera calibrated = camera_from_json(reader);
+  check_camera(calibrated.camera, reader);
+  label.camera = calibrated.camera;
+  label.distortion = calibrated.distortion;
+  label.fov_base_deg = reader.number("fov_base_deg");
+  const JsonKeys true_angles = reader.object("fov_true_deg");
+  label.fov_true_h_deg = true_angles.number("h");
+  label.fov_true_v_deg = true_angles.number("v");
+  label.fov_true_d_deg = true_angles.number("d");
+  label.zoom = reader.object("crop").number("zoom");
+  const JsonKeys certificate = reader.object("certificate");
+  label.certificate_min_eigenvalue = certificate.number("min_eigenvalue");
+  label.certificate_max_roundtrip_px = certificate.number("max_roundtrip_px");
+  const JsonKeys limits = reader.object("limits");
+  for (std::size_t i = 0; i < lens_keys.size(); ++i) {
+    if (limits.at(lens_keys[i]).is_null()) continue;
+    const std::vector<double> ends = limits.numbers(lens_keys[i], 2);
+    label.limits[i] = Interval{.low = ends[0], .high = ends[1]};
+  }
+  const JsonKeys camera = reader.object("camera");
+  label.rig_camera = camera.text("name");
+  label.vehicle_from_camera.matrix() = camera.matrix("T_vehicle_camera", 4, 4);
+  try {
+    label.part = part_from_string(reader.text("part"));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+  label.seed = reader.unsigned_integer("seed");
+  label.generator = reader.text("generator");
+  return label;
+}
+
+}  // namespace cps

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "distortion/brown_conrady.h"
+#include "distortion/pinhole.h"
+#include "numbers/interval.h"
+#include "sampler/part.h"
+
+namespace cps {
+
+/// Everything one leaf folder's calibration.json says: its images share size, rig camera, base H-FOV and
+/// lens.
+struct Label {
+  Pinhole camera;  ///< of the final image; fx = fy; hfov_rad(camera) is the label's `fov`
+  Distortion distortion;
+  double fov_base_deg = 0;  ///< the master's H-FOV, before the crop
+  /// What the distorted image really sees: horizontal and vertical through the principal point, diagonal
+  /// corner to corner.
+  double fov_true_h_deg = 0, fov_true_v_deg = 0, fov_true_d_deg = 0;
+  double zoom = 1;  ///< of the crop
+  double certificate_min_eigenvalue = 0, certificate_max_roundtrip_px = 0;
+  /// In the order k1 k2 k3 p1 p2 cx cy; empty for joint draws and for the undistorted group.
+  std::array<std::optional<Interval>, 7> limits;
+  std::string rig_camera;
+  Eigen::Isometry3d vehicle_from_camera = Eigen::Isometry3d::Identity();
+  Part part = Part::train;
+  std::uint64_t seed = 0;
+  std::string generator;  ///< program and version
+};
+
+/// The undistorted camera before the crop, of the image's size and centred: on its frame the lens is
+/// certified.
+Pinhole base_of(const Label& label);
+
+/// Written as `schema`. A file with another number is refused.
+inline constexpr int label_schema = 1;
+
+/// The keys under which the first seven numbers of `limits` and the label itself are written.
+inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1", "p2", "cx", "cy"};
+
+nlohmann::ordered_json to_json(const Label& label);
+
+/// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of
+/// the wrong type, or contradicts another (K against fov, cx, cy).
+Label label_from_json(const nlohmann::json& json, const std::string& file);
+
+}  // namespace cps

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sampler/plan/plan.h"
+
+namespace cps {
+
+/// Compares a finished dataset with its plan, made again: every calibration.json to the byte, and of every
+/// line of every frames.csv what the plan decides (part, condition, street, poses). One line per fault, file
+/// first.
+std::vector<std::string> faults_against_plan(const std::filesystem::path& root, const Plan& plan);
+
+}  // namespace cps

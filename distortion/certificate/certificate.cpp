@@ -1,0 +1,163 @@
+#include "distortion/certificate/certificate.h"
+
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "distortion/certificate/branch_and_bound.h"
+#include "distortion/certificate/polar_lens.h"
+
+namespace cps {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Interval every_cosine{-1, 1};
+
+/// Smallest eigenvalue of [[g + 6ac, 2a√(1−c²)], [·, R + 2ac]] over a range of c. It is
+/// (g+R)/2 + 4ac − ½√((g−R)² + 16a² + 8(g−R)ac): the root of an affine function of c, so convex in c,
+/// smallest at an end or where its derivative vanishes, √… = (g−R)/2.
+double smallest_eigenvalue(double g, double R, double a, Interval c) {
+  const double d = g - R;
+  const auto at = [&](double cosine) {
+    return 0.5 * (g + R) + 4 * a * cosine -
+           0.5 * std::sqrt(std::max(0.0, d * d + 16 * a * a + 8 * d * a * cosine));
+  };
+  double smallest = std::min(at(c.low), at(c.high));
+  if (d > 0 && a > 0) {
+    const double stationary = -(0.75 * d * d + 16 * a * a) / (8 * d * a);
+    if (c.low < stationary && stationary < c.high) smallest = std::min(smallest, at(stationary));
+  }
+  return smallest;
+}
+
+enum class End { smallest, largest };
+
+/// The smallest eigenvalue over the rectangle, or minus the largest: with the signs of g and R and the
+/// direction turned round, −J has the same form as J.
+EnclosedMinimum extreme_eigenvalue(const PolarLens& lens, End end, const MinimumSearch& search) {
+  const double sign = end == End::smallest ? 1 : -1;
+  const auto smallest = [&](double g, double R, double a, Interval c) {
+    return smallest_eigenvalue(g, R, a, end == End::smallest ? c : Interval{-c.high, -c.low});
+  };
+  const auto on_ring = [&](double r) {
+    const double s = r * r, g = sign * lens.radial_slope(s), R = sign * lens.radial(s),
+                 a = lens.tangential * r;
+    return smallest_on_ring(lens, r, [&](Interval c) { return smallest(g, R, a, c); });
+  };
+  const auto on_cell = [&](double r0, double r1, double enough) {
+    const double a0 = lens.tangential * r0, a1 = lens.tangential * r1;
+    // Coarse: the worst g and R of the cell together. J is affine in a, so its smallest eigenvalue is concave
+    // in a: smallest at an end.
+    const Interval g = lens.radial_slope.range(r0 * r0, r1 * r1), R = lens.radial.range(r0 * r0, r1 * r1);
+    const double worst_g = end == End::smallest ? g.low : -g.high,
+                 worst_R = end == End::smallest ? R.low : -R.high;
+    const auto coarse = [&](Interval c) {
+      return std::min(smallest(worst_g, worst_R, a0, c), smallest(worst_g, worst_R, a1, c));
+    };
+    if (const double on_disc = coarse(every_cosine); on_disc >= enough) return on_disc;
+
+    // Fine: along a ray, J is a convex combination of the matrices formed by the Bernstein coefficients of g,
+    // R and a, and the smallest eigenvalue is concave. Its error falls with the square of the cell's width.
+    std::optional<std::array<Form<6>, 2>> forms;
+    const auto fine = [&](Interval c) {
+      if (!forms) forms = {lens.radial_slope.in_radius(r0, r1), lens.radial.in_radius(r0, r1)};
+      const auto& [g_form, R_form] = *forms;
+      double least = infinity;
+      for (int i = 0; i <= 6; ++i)
+        least = std::min(least, smallest(sign * g_form[i], sign * R_form[i], a0 + (a1 - a0) * i / 6, c));
+      return least;
+    };
+    return smallest_on_ring(lens, r0, [&](Interval c) {
+      const double bound = coarse(c);
+      return bound >= enough ? bound : std::max(bound, fine(c));
+    });
+  };
+  return smallest_value(0, 1, search, on_cell, on_ring);
+}
+
+bool is_finite(const Distortion& lens, const Eigen::AlignedBox2d& rectangle) {
+  const std::array<double, 5> terms{lens.k1, lens.k2, lens.k3, lens.p1, lens.p2};
+  return std::all_of(terms.begin(), terms.end(), [](double k) { return std::isfinite(k); }) &&
+         rectangle.min().allFinite() && rectangle.max().allFinite() && (rectangle.sizes().array() > 0).all();
+}
+
+/// The term that pulls the eigenvalue at radius r furthest in the direction of `end`.
+const char* dominant_term(const PolarLens& lens, double r, End end) {
+  const double s = r * r, sign = end == End::smallest ? -1 : 1;
+  const std::array<double, 4> pull{sign * lens.radial_slope.b * s, sign * lens.radial_slope.c * s * s,
+                                   sign * lens.radial_slope.d * s * s * s, 6 * lens.tangential * r};
+  constexpr std::array<const char*, 4> names{"k1", "k2", "k3", "p1, p2"};
+  return names[std::max_element(pull.begin(), pull.end()) - pull.begin()];
+}
+
+std::string refusal(const PolarLens& lens, const Certificate& certificate, End end, double eigenvalue,
+                    double limit) {
+  char line[256];
+  std::snprintf(
+      line, sizeof line,
+      "at radius %.4g the %s eigenvalue of the lens' Jacobian is %.4g, %s %.4g%s; dominant term %s; the lens "
+      "scaled by %.4g would pass",
+      certificate.witness_radius, end == End::smallest ? "smallest" : "largest", eigenvalue,
+      end == End::smallest ? "below" : "above", limit, eigenvalue <= 0 ? " (the image folds)" : "",
+      dominant_term(lens, certificate.witness_radius / lens.unit, end), certificate.largest_scale);
+  return line;
+}
+
+}  // namespace
+
+bool CertificateOptions::is_valid(std::string* why) const {
+  if (!(min_eigenvalue > 0 && min_eigenvalue < 1)) {
+    *why = "min_eigenvalue: must lie between 0 and 1";
+    return false;
+  }
+  if (!(max_eigenvalue > 1 && std::isfinite(max_eigenvalue))) {
+    *why = "max_eigenvalue: must be finite and above 1";
+    return false;
+  }
+  return true;
+}
+
+Certificate certify(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
+                    const CertificateOptions& options) {
+  Certificate certificate;
+  if (!is_finite(lens, rectangle)) {
+    certificate.why = "the lens or its rectangle is empty or not finite";
+    return certificate;
+  }
+  const PolarLens polar = polar_lens(lens, rectangle);
+  const double least = options.min_eigenvalue + polar.rounding,
+               most = options.max_eigenvalue - polar.rounding;
+  const EnclosedMinimum smallest = extreme_eigenvalue(polar, End::smallest, {.threshold = least});
+  const EnclosedMinimum largest = extreme_eigenvalue(polar, End::largest, {.threshold = -most});
+  certificate.min_eigenvalue = smallest.proved - polar.rounding;
+  certificate.max_eigenvalue = -largest.proved + polar.rounding;
+
+  // The Jacobian of t·lens is I + t(J − I): its eigenvalues move along straight lines through 1.
+  const auto scale_to = [](double room, double used) { return used > 0 ? room / used : infinity; };
+  const double scale_down = scale_to(1 - least, 1 - smallest.proved);
+  const double scale_up = scale_to(most - 1, -largest.proved - 1);
+  certificate.largest_scale = std::min(scale_down, scale_up) * (1 - 1e-12);
+
+  const bool is_least_nearer = scale_down <= scale_up;
+  certificate.witness_radius = (is_least_nearer ? smallest : largest).argument * polar.unit;
+  certificate.valid = smallest.proved >= least && largest.proved >= -most;
+  if (!certificate.valid)
+    certificate.why =
+        is_least_nearer
+            ? refusal(polar, certificate, End::smallest, smallest.attained, options.min_eigenvalue)
+            : refusal(polar, certificate, End::largest, -largest.attained, options.max_eigenvalue);
+  return certificate;
+}
+
+bool is_certified(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
+                  const CertificateOptions& options) {
+  if (!is_finite(lens, rectangle)) return false;
+  const PolarLens polar = polar_lens(lens, rectangle);
+  const double least = options.min_eigenvalue + polar.rounding,
+               most = options.max_eigenvalue - polar.rounding;
+  return extreme_eigenvalue(polar, End::smallest, {infinity, least}).proved >= least &&
+         extreme_eigenvalue(polar, End::largest, {infinity, -most}).proved >= -most;
+}
+
+}  // namespace cps

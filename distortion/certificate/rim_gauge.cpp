@@ -1,0 +1,78 @@
+#include "distortion/certificate/rim_gauge.h"
+
+#include <algorithm>
+
+#include "distortion/certificate/bernstein.h"
+#include "distortion/certificate/branch_and_bound.h"
+#include "numbers/interval.h"
+
+namespace cps {
+namespace {
+
+/// Encloses a polynomial on [0, 1] by its Bernstein coefficients, widened by what rounding can have moved
+/// them.
+Interval range(const Form<7>& form) {
+  double low = form[0], high = form[0], size = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double coefficient = form[i] / binomials<7>[i];
+    low = std::min(low, coefficient);
+    high = std::max(high, coefficient);
+    size = std::max(size, std::abs(coefficient));
+  }
+  return {low - 1e-14 * size, high + 1e-14 * size};
+}
+
+/// The lens along a segment parallel to the u axis: u from u0 to u1, v fixed; (pu, pv) is the lens' (p2, p1)
+/// in these axes.
+struct DistortedSegment {
+  Form<7> u, v;
+};
+DistortedSegment distorted_segment(const Distortion& lens, double pu, double pv, double u0, double u1,
+                                   double v) {
+  const Form<1> along{u0, u1};
+  const Form<2> along_squared = along * along;
+  const Form<2> s = sum(along_squared, v * v, binomials<2>);
+  const Form<4> s2 = s * s;
+  const Form<6> s3 = s2 * s;
+  const Form<6> radial =
+      sum(sum(sum(binomials<6>, lens.k1, s * binomials<4>), lens.k2, s2 * binomials<2>), lens.k3, s3);
+  const Form<2> u_tangential =
+      sum(sum(Form<2>{}, pu, sum(s, 2, along_squared)), 2 * pv * v, along * Form<1>{1, 1});
+  const Form<2> v_tangential =
+      sum(sum(Form<2>{}, pv, sum(s, 2 * v * v, binomials<2>)), 2 * pu * v, along * Form<1>{1, 1});
+  return {sum(along * radial, 1, u_tangential * binomials<5>),
+          sum(sum(Form<7>{}, v, Form<1>{1, 1} * radial), 1, v_tangential * binomials<5>)};
+}
+
+}  // namespace
+
+double smallest_rim_gauge(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
+                          const Eigen::AlignedBox2d& frame) {
+  const Eigen::Vector2d low = rectangle.min(), high = rectangle.max();
+  double proved = std::numeric_limits<double>::infinity();
+  const auto search_side = [&](bool is_horizontal, double fixed) {
+    const auto value = [&](double t) {
+      return gauge(frame,
+                   distort(lens, is_horizontal ? Eigen::Vector2d(t, fixed) : Eigen::Vector2d(fixed, t)));
+    };
+    const auto bound = [&](double t0, double t1, double) {
+      const double pu = is_horizontal ? lens.p2 : lens.p1, pv = is_horizontal ? lens.p1 : lens.p2;
+      const DistortedSegment segment = distorted_segment(lens, pu, pv, t0, t1, fixed);
+      const Interval x = range(is_horizontal ? segment.u : segment.v),
+                     y = range(is_horizontal ? segment.v : segment.u);
+      return std::max(std::max(x.low / frame.max().x(), x.high / frame.min().x()),
+                      std::max(y.low / frame.max().y(), y.high / frame.min().y()));
+    };
+    const double tolerance = 1e-11 * std::abs(value(is_horizontal ? low.x() : low.y()));
+    const int axis = is_horizontal ? 0 : 1;
+    proved = std::min(proved,
+                      smallest_value(low[axis], high[axis], {.tolerance = tolerance}, bound, value).proved);
+  };
+  search_side(true, low.y());
+  search_side(true, high.y());
+  search_side(false, low.x());
+  search_side(false, high.x());
+  return proved;
+}
+
+}  // namespace cps

@@ -1,0 +1,145 @@
+#include "distortion/inverse/inverse_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "distortion/inverse/inverse.h"
+
+namespace cps {
+namespace {
+
+constexpr int side = InverseMapTile::side;
+constexpr int nodes = 5;
+using Row = std::array<double, side>;
+
+/// Chebyshev nodes of [0, last] and the Lagrange basis at 0, 1, …, last.
+struct Interpolation {
+  std::array<double, nodes> position;
+  std::array<Row, nodes> weight;
+
+  explicit Interpolation(int count) {
+    const double half = 0.5 * (count - 1);
+    for (int j = 0; j < nodes; ++j)
+      position[j] = half - half * std::cos((j + 0.5) * std::numbers::pi / nodes);
+    for (int j = 0; j < nodes; ++j)
+      for (int i = 0; i < count; ++i) {
+        double basis = 1;
+        for (int k = 0; k < nodes; ++k)
+          if (k != j && half > 0) basis *= (i - position[k]) / (position[j] - position[k]);
+        weight[j][i] = half > 0 ? basis : 1.0 / nodes;
+      }
+  }
+};
+
+/// The functions below run over one row of targets (xd[i], yd), without branches or calls, so that they
+/// compile to vector instructions.
+struct TargetRow {
+  int count;
+  const double* xd;
+  double yd;
+};
+
+/// One Newton step.
+void newton_step(const Distortion& lens, const TargetRow& target, double* __restrict x,
+                 double* __restrict y) {
+  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+  const double* __restrict xd = target.xd;
+  for (int i = 0; i < target.count; ++i) {
+    const double u = x[i], v = y[i], s = u * u + v * v;
+    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
+    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
+    const double slope = 2 * (k1 + s * (2 * k2 + s * 3 * k3));
+    const double xx = diagonal + u * (slope * u + 4 * p2), yy = diagonal + v * (slope * v + 4 * p1);
+    const double xy = slope * u * v + 2 * (p2 * v + p1 * u);
+    const double scale = 1 / (xx * yy - xy * xy);
+    x[i] = u - scale * (yy * error_u - xy * error_v);
+    y[i] = v - scale * (xx * error_v - xy * error_u);
+  }
+}
+
+/// |D(x) − target|; infinite outside the box.
+void measure(const Distortion& lens, const Eigen::AlignedBox2d& box, const TargetRow& target,
+             const double* __restrict x, const double* __restrict y, double* __restrict residual) {
+  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+  const double left = box.min().x(), right = box.max().x(), top = box.min().y(), bottom = box.max().y();
+  const double* __restrict xd = target.xd;
+  for (int i = 0; i < target.count; ++i) {
+    const double u = x[i], v = y[i], s = u * u + v * v;
+    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
+    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
+    const bool inside = (u >= left) & (u <= right) & (v >= top) & (v <= bottom);
+    residual[i] =
+        inside ? std::sqrt(error_u * error_u + error_v * error_v) : std::numeric_limits<double>::infinity();
+  }
+}
+
+/// How many residuals are not small enough.
+int count_failed(int count, const double* __restrict residual, double enough) {
+  int failed = 0;
+  for (int i = 0; i < count; ++i) failed += residual[i] <= enough ? 0 : 1;
+  return failed;
+}
+
+}  // namespace
+
+void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& camera, int x0,
+                 int y0, int width, int height, InverseMapTile& tile) {
+  tile.width = width;
+  tile.height = height;
+  tile.outside = tile.fallbacks = 0;
+
+  const Interpolation across(width), down(height);
+  std::array<std::array<Eigen::Vector2d, nodes>, nodes> node;
+  for (int j = 0; j < nodes; ++j)
+    for (int i = 0; i < nodes; ++i) {
+      const Eigen::Vector2d target = to_plane(camera, {x0 + across.position[i], y0 + down.position[j]});
+      // A node outside D(box) spoils the guess, not the result.
+      node[j][i] = undistort(lens, box, target).value_or(target);
+    }
+
+  Row xd, residual;
+  for (int i = 0; i < width; ++i) xd[i] = to_plane(camera, {x0 + i, 0}).x();
+  const double pixels = std::max(camera.fx, camera.fy), enough = 1e-9 / pixels;
+  Row worst{};
+  for (int row = 0; row < height; ++row) {
+    double* x = &tile.x[row * side];
+    double* y = &tile.y[row * side];
+    std::fill_n(x, width, 0.0);
+    std::fill_n(y, width, 0.0);
+    for (int i = 0; i < nodes; ++i) {
+      Eigen::Vector2d at_row = Eigen::Vector2d::Zero();
+      for (int j = 0; j < nodes; ++j) at_row += down.weight[j][row] * node[j][i];
+      const double node_x = at_row.x(), node_y = at_row.y();
+      const double* weight = across.weight[i].data();
+      for (int column = 0; column < width; ++column) {
+        x[column] += weight[column] * node_x;
+        y[column] += weight[column] * node_y;
+      }
+    }
+
+    const TargetRow target{width, xd.data(), to_plane(camera, {0, y0 + row}).y()};
+    int failed = width;
+    for (int step = 0; step < 3 && failed > 0; ++step) {
+      newton_step(lens, target, x, y);
+      measure(lens, box, target, x, y, residual.data());
+      failed = count_failed(width, residual.data(), enough);
+    }
+    for (int column = 0; column < width && failed > 0; ++column) {
+      if (residual[column] <= enough) continue;
+      ++tile.fallbacks;
+      --failed;
+      const Eigen::Vector2d distorted(xd[column], target.yd);
+      const auto ideal = undistort(lens, box, distorted);
+      tile.outside += !ideal;
+      x[column] = ideal ? ideal->x() : std::numeric_limits<double>::quiet_NaN();
+      y[column] = ideal ? ideal->y() : std::numeric_limits<double>::quiet_NaN();
+      residual[column] = ideal ? (distort(lens, *ideal) - distorted).norm() : 0;
+    }
+    for (int column = 0; column < width; ++column) worst[column] = std::max(worst[column], residual[column]);
+  }
+  tile.worst_residual_px = *std::max_element(worst.begin(), worst.begin() + width) * pixels;
+}
+
+}  // namespace cps

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "distortion/brown_conrady.h"
+#include "distortion/inverse/inverse_map.h"
+#include "distortion/pinhole.h"
+
+namespace cps {
+
+/// The warp's kernel, k(d) = (1 − d·C⁻¹d / support²)³ inside the ellipse where that is positive: a piecewise
+/// cubic in the squared distance that looks like a Gaussian, has covariance C exactly when support² = 10,
+/// ends smoothly instead of being cut off, and costs four multiplications.
+inline constexpr double kernel_support = 3.1622776601683795;  // √10 standard deviations
+
+/// Narrowest kernel, source pixels. Below it a footprint holds so few samples that the image ripples with the
+/// phase between the two pixel grids: by .002 px at .44, .06 px at .38 (docs/lens.md).
+inline constexpr double narrowest_sigma_px = 0.42;
+
+/// For each pixel of an output tile: where the ray through its centre meets the source image, and the kernel
+/// that gathers the pixel from it. Pixels of the source, row-major with stride `side`.
+struct FootprintTile {
+  static constexpr int side = InverseMapTile::side;
+  int width = 0, height = 0;
+  alignas(32) std::array<double, side * side> x, y;  ///< centre; NaN: the ray is outside the source
+  /// C⁻¹ / support², and the half width and height of the ellipse's bounding box.
+  alignas(32) std::array<float, side * side> conic_xx, conic_xy, conic_yy, half_width, half_height;
+  /// Smaller eigenvalue of C, before it is raised to narrowest_sigma_px² where it is below.
+  alignas(32) std::array<float, side * side> smaller_variance;
+  std::array<float, side * side> weight;  ///< what a gathered pixel is multiplied by, where `weighted`
+  bool weighted = false;
+  double worst_residual_px = 0;  ///< of the inversion, where there was one
+  int fallbacks = 0;
+};
+
+/// Footprints of an output pixel with standard deviation `sigma_px` (output pixels): with A = ∂source
+/// px/∂output px, the covariance is C = sigma² A Aᵀ − I/12, the second term because the source's pixels are
+/// already averages over their squares.
+///
+/// Distorting: the output is seen through the lens, the source is ideal; `box` is the source's certified
+/// rectangle.
+void distorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
+                           const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
+                           FootprintTile& tile);
+
+/// Undistorting: the output is ideal, the source was seen through the lens, which is one-to-one on `box`;
+/// output pixels beyond it get NaN, since a lens that folds there would show them something seen already.
+void undistorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
+                             const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
+                             FootprintTile& tile);
+
+}  // namespace cps

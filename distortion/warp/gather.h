@@ -1,0 +1,42 @@
+#pragma once
+
+#include <OpenImageIO/imagebuf.h>
+
+#include <vector>
+
+#include "distortion/warp/footprints.h"
+
+namespace cps {
+
+/// A rectangle of an image as float planes, one per channel, of rows padded so that eight-wide loads stay
+/// inside.
+struct PlanarPatch {
+  int x0 = 0, y0 = 0, width = 0, height = 0, channels = 0;
+  std::size_t stride = 0;
+  std::vector<float> values;
+
+  const float* row(int channel, int y) const {
+    return &values[(std::size_t(channel) * height + (y - y0)) * stride];
+  }
+};
+
+/// Copies [x0, x0+width) × [y0, y0+height) of an image held in memory, any pixel type (integers as fractions
+/// of their largest value). Unchecked: the rectangle lies inside the image. `patch` keeps its memory between
+/// calls.
+void read_patch(const OIIO::ImageBuf& image, int x0, int y0, int width, int height, PlanarPatch& patch);
+
+/// Whole source pixels inside a footprint's bounding box.
+struct PixelBounds {
+  int x0, y0, x1, y1;  ///< inclusive
+};
+PixelBounds pixel_bounds(const FootprintTile& tile, int index);
+
+/// Whether a source of this size holds the whole footprint. One whose ray misses the source has none.
+bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height);
+
+/// Gathers up to four channels of one output pixel: the kernel-weighted mean over its footprint. Unchecked:
+/// the bounds lie inside the patch and hold at least one pixel centre of the ellipse.
+void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, const PixelBounds& bounds,
+            float* pixel);
+
+}  // namespace cps

@@ -1,0 +1,98 @@
+#include "files/files.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+
+namespace cps {
+namespace {
+
+/// Differs between all threads of all processes of all machines that write to one folder.
+std::string unique_text() {
+  static const unsigned process = std::random_device()();
+  static std::atomic<unsigned> count = 0;
+  char text[24];
+  std::snprintf(text, sizeof text, "%08x-%x", process, count++);
+  return text;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read: " + std::strerror(errno));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+nlohmann::json read_json(const std::filesystem::path& file) {
+  try {
+    return nlohmann::json::parse(read_file(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(file.string() + ": is not JSON: " + error.what());
+  }
+}
+
+void write_by_rename(const std::filesystem::path& file,
+                     const std::function<void(const std::filesystem::path& temporary)>& write) {
+  const std::filesystem::path temporary = file.string() + "." + unique_text() + ".tmp";
+  try {
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    write(temporary);
+    std::filesystem::rename(temporary, file);
+  } catch (const std::exception& error) {
+    const auto* file_error = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    const std::string cause = file_error ? file_error->code().message() : error.what();
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw std::runtime_error(file.string() + ": cannot be written: " + cause);
+  }
+}
+
+void write_file(const std::filesystem::path& file, std::span<const char> bytes) {
+  write_by_rename(file, [&](const std::filesystem::path& temporary) {
+    const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    int error = descriptor < 0 ? errno : 0;
+    while (error == 0 && !bytes.empty()) {
+      const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) error = errno;
+      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    // Renamed before its bytes are on the disk, a file could be empty under its final name after a power cut.
+    if (error == 0 && fdatasync(descriptor) != 0 && errno != EINVAL) error = errno;
+    if (descriptor >= 0 && close(descriptor) != 0 && error == 0) error = errno;
+    if (error != 0) throw std::runtime_error(std::strerror(error));
+  });
+}
+
+void remove_temporaries(const std::filesystem::path& folder) {
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().filename().string().find(".tmp") != std::string::npos)
+      std::filesystem::remove(entry.path());
+}
+
+void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json) {
+  write_file(file, json.dump(2) + "\n");
+}
+
+std::string sha256(std::span<const char> bytes) {
+  unsigned char digest[EVP_MAX_MD_SIZE];
+  unsigned int size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("SHA-256 is not available in this build of OpenSSL");
+  std::string hex;
+  for (unsigned int i = 0; i < size; ++i) {
+    constexpr char digits[] = "0123456789abcdef";
+    hex += {digits[digest[i] >> 4], digits[digest[i] & 15]};
+  }
+  return hex;
+}
+
+}  // namespace cps

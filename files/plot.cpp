@@ -1,0 +1,173 @@
+#include "files/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cps {
+namespace {
+
+constexpr int width = 420, height = 300;                     ///< of one diagram, user units
+constexpr int left = 62, right = 14, top = 30, bottom = 44;  ///< its margins
+constexpr std::array colours = {
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7",
+    "#e69f00", "#56b4e9", "#000000"};  ///< told apart by everyone: Okabe and Ito 2008
+
+std::string escaped(const std::string& text) {
+  std::string xml;
+  for (char c : text) {
+    if (c == '&')
+      xml += "&amp;";
+    else if (c == '<')
+      xml += "&lt;";
+    else if (c == '>')
+      xml += "&gt;";
+    else
+      xml += c;
+  }
+  return xml;
+}
+
+Interval range_of(const Plot& plot, int axis) {
+  if (const auto& given = axis == 0 ? plot.x_range : plot.y_range) return *given;
+  Interval range{INFINITY, -INFINITY};
+  for (const PlotSeries& series : plot.series)
+    for (const Eigen::Vector2d& point : series.points)
+      if (point.allFinite()) range = {std::min(range.low, point[axis]), std::max(range.high, point[axis])};
+  if (!(range.low <= range.high)) return {0, 1};
+  if (range.low == range.high) return {range.low - 0.5, range.high + 0.5};
+  const double margin = axis == 0 ? 0 : 0.05 * (range.high - range.low);
+  return {range.low - margin, range.high + margin};
+}
+
+/// Where a diagram's values lie on the page.
+struct Axes {
+  Interval x, y;
+  double page_x(double value) const {
+    return left + (value - x.low) / (x.high - x.low) * (width - left - right);
+  }
+  double page_y(double value) const {
+    return height - bottom - (value - y.low) / (y.high - y.low) * (height - top - bottom);
+  }
+  bool shows(const Eigen::Vector2d& p) const {
+    return p.x() >= x.low && p.x() <= x.high && p.y() >= y.low && p.y() <= y.high;
+  }
+};
+
+std::string text(double x, double y, const char* anchor, const std::string& what,
+                 const std::string& more = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, anchor, more,
+                     escaped(what));
+}
+
+std::string frame(const Plot& plot, const Axes& axes) {
+  std::string svg, grid;
+  for (double tick : round_ticks(axes.x, 6)) {
+    grid += fmt::format("M{:.1f} {}V{}", axes.page_x(tick), top, height - bottom);
+    svg += text(axes.page_x(tick), height - bottom + 15, "middle", fmt::format("{:g}", tick));
+  }
+  for (double tick : round_ticks(axes.y, 6)) {
+    grid += fmt::format("M{} {:.1f}H{}", left, axes.page_y(tick), width - right);
+    svg += text(left - 5, axes.page_y(tick) + 4, "end", fmt::format("{:g}", tick));
+  }
+  const double middle_x = 0.5 * (left + width - right), middle_y = 0.5 * (top + height - bottom);
+  svg += text(middle_x, height - 8, "middle", plot.x_label);
+  svg += text(0, 0, "middle", plot.y_label,
+              fmt::format(" transform=\"translate(14 {:.1f}) rotate(-90)\"", middle_y));
+  svg += text(middle_x, 18, "middle", plot.title, " font-weight=\"bold\"");
+  return fmt::format(
+             "<path d=\"{}\" stroke=\"#ddd\"/>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+             "fill=\"none\" stroke=\"#888\"/>\n",
+             grid, left, top, width - left - right, height - top - bottom) +
+         svg;
+}
+
+/// Lines are clipped at the frame by the page; dots outside it are left out.
+std::string curve(const PlotSeries& series, const Axes& axes, const char* colour) {
+  std::string path;
+  bool pen_down = false;
+  for (const Eigen::Vector2d& point : series.points) {
+    const bool dot = series.style == PlotStyle::dots;
+    if (!point.allFinite() || (dot && !axes.shows(point))) {
+      pen_down = false;
+      continue;
+    }
+    path += fmt::format("{}{:.1f} {:.1f}{}", !dot && pen_down ? "L" : "M", axes.page_x(point.x()),
+                        axes.page_y(point.y()), dot ? "h0" : "");
+    pen_down = true;
+  }
+  if (series.style == PlotStyle::dots)
+    return fmt::format(
+        "<path d=\"{}\" stroke=\"{}\" stroke-width=\"2.4\" stroke-linecap=\"round\" "
+        "stroke-opacity=\".5\"/>\n",
+        path, colour);
+  return fmt::format(
+      "<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\" "
+      "clip-path=\"url(#frame)\"/>\n",
+      path, colour);
+}
+
+std::string diagram(const Plot& plot) {
+  const Axes axes{range_of(plot, 0), range_of(plot, 1)};
+  std::string svg = frame(plot, axes);
+  double legend_y = top + 15;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const char* colour = colours[i % colours.size()];
+    svg += curve(plot.series[i], axes, colour);
+    if (plot.series[i].name.empty()) continue;
+    svg +=
+        text(width - right - 6, legend_y, "end", plot.series[i].name,
+             fmt::format(" fill=\"{}\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"", colour));
+    legend_y += 15;
+  }
+  return svg;
+}
+
+}  // namespace
+
+PlotSeries histogram(const std::string& name, std::span<const double> values, Interval range, int bins) {
+  std::vector<int> counts(bins, 0);
+  const double bin_width = (range.high - range.low) / bins;
+  for (double value : values)
+    if (value >= range.low && value < range.high)
+      ++counts[std::min(bins - 1, static_cast<int>((value - range.low) / bin_width))];
+  PlotSeries outline{.name = name, .style = PlotStyle::line, .points = {{range.low, 0}}};
+  for (int bin = 0; bin < bins; ++bin) {
+    const double density = counts[bin] / (bin_width * std::max<std::size_t>(1, values.size()));
+    outline.points.emplace_back(range.low + bin * bin_width, density);
+    outline.points.emplace_back(range.low + (bin + 1) * bin_width, density);
+  }
+  outline.points.emplace_back(range.high, 0);
+  return outline;
+}
+
+std::vector<double> round_ticks(Interval range, int count) {
+  const double rough = (range.high - range.low) / count, power = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (double factor : {5.0, 2.0, 1.0})
+    if (factor * power >= 0.999 * rough) step = factor * power;
+  std::vector<double> ticks;
+  for (double i = std::ceil(range.low / step - 1e-9); i * step <= range.high + 1e-9 * step; ++i)
+    ticks.push_back(i == 0 ? 0 : i * step);
+  return ticks;
+}
+
+std::string to_svg(std::span<const Plot> plots, int columns) {
+  const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
+  const int page_width = width * std::min(columns, static_cast<int>(plots.size()));
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"frame\"><rect x=\"{2}\" y=\"{3}\" "
+      "width=\"{4}\" height=\"{5}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
+      page_width, height * rows, left, top, width - left - right, height - top - bottom);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+    svg += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", column * width, row * height,
+                       diagram(plots[i]));
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace cps

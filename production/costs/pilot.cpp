@@ -1,0 +1,170 @@
+#include "production/costs/pilot.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "production/condition_scene.h"
+#include "production/scene_files.h"
+#include "production/view_images.h"
+#include "renderer/cpu_time.h"
+#include "sampler/plan/plan.h"
+
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+/// Master pixels of a small render: enough for stable timings, a second or so.
+constexpr double small_pixels = 150'000;
+
+double process_cpu_s() {
+  return cpu_s(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+std::int64_t peak_bytes() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Removed at the end, with all that is in it.
+struct ScratchFolder {
+  fs::path path;
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "cps_plan_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made; set TMPDIR");
+    path = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+/// All sets with a view in each of a few conditions. A condition is chosen for its scene: the recipe's first
+/// ones, as cities' styles are dealt in turn.
+Recipe pilot_recipe(Recipe recipe, int conditions) {
+  const auto keep = [&](auto& list, int count) {
+    list.resize(std::min(list.size(), static_cast<std::size_t>(std::max(0, count))));
+    return static_cast<int>(list.size());
+  };
+  int left = conditions;
+  left -= keep(recipe.scenes, left);
+  left -= keep(recipe.city_seeds, left);
+  recipe.cities = std::min(recipe.cities, left);
+  left -= recipe.cities;
+  const int scenes = conditions - left;
+  recipe.conditions_per_scene = std::min(recipe.conditions_per_scene, (conditions + scenes - 1) / scenes);
+  recipe.views = std::max(3, scenes * recipe.conditions_per_scene);  // one for each, and for each part
+  return recipe;
+}
+
+Pinhole smaller(const Pinhole& camera, int times) {
+  Pinhole small = camera;
+  small.width = std::max(1, camera.width / times);
+  small.height = std::max(1, camera.height / times);
+  const double factor = static_cast<double>(small.width) / camera.width;
+  small.fx = small.fy = camera.fx * factor;
+  small.cx = 0.5 * (small.width - 1);
+  small.cy = 0.5 * (small.height - 1);
+  return small;
+}
+
+double pixels(const Pinhole& camera) {
+  return static_cast<double>(camera.width) * camera.height;
+}
+
+std::int64_t bytes_of(const RenderedHalves& halves) {
+  return static_cast<std::int64_t>(halves.first.spec().image_bytes() + halves.second.spec().image_bytes());
+}
+
+/// What is measured of full-size views of one size.
+struct FullSize {
+  int wanted = 1, views = 0, images = 0;
+  double cpu_s = 0, bytes = 0;
+};
+
+/// Makes the plan of the pilot and times what generate would do before the first render.
+Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& folder,
+                Pilot& pilot) {
+  std::vector<PlannedScene> scenes = plan_scenes(recipe, folder);
+  double before = process_cpu_s();
+  make_scene_files(scenes, folder);
+  pilot.scene_cpu_s = (process_cpu_s() - before) / scenes.size();
+  for (const PlannedScene& scene : scenes)
+    if (scene.city) pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scenes.size();
+  before = process_cpu_s();
+  double load_s = 0;
+  Plan plan = make_plan(recipe, rig, std::move(scenes), [&](const fs::path& file) {
+    const double begin = process_cpu_s();
+    DrivenScene driven = load_driven_scene(file, drive);
+    load_s += process_cpu_s() - begin;
+    return driven;
+  });
+  pilot.view_plan_cpu_s = (process_cpu_s() - before - load_s) / static_cast<double>(plan.views.size());
+  pilot.condition_cpu_s = load_s / static_cast<double>(plan.conditions.size());
+  return plan;
+}
+
+}  // namespace
+
+Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions) {
+  const ScratchFolder scratch;
+  Pilot pilot;
+  const Plan plan = timed_plan(pilot_recipe(recipe, conditions), rig, drive, scratch.path, pilot);
+  const std::size_t sizes = recipe.sizes.size(), hfovs = plan.sets.size() / sizes;
+  std::vector<FullSize> full(sizes, FullSize{.wanted = sizes == 1 ? 3 : 2});
+  std::vector<std::vector<double>> sum(plan.conditions.size(), std::vector<double>(plan.sets.size(), 0));
+  std::vector<std::vector<int>> count(plan.conditions.size(), std::vector<int>(plan.sets.size(), 0));
+  double foretold_s = 0, full_s = 0;
+  ConditionScene loaded;
+  for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
+    const PlannedView& view = plan.views[v];
+    double before = process_cpu_s();
+    RenderScene& scene = loaded.of(plan, view);
+    pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
+    const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
+    const Pinhole small = smaller(view.master, times);
+    const RenderedHalves reduced = render_halves(plan, view, small, scene);
+    const double view_s = reduced.cpu_s * pixels(view.master) / pixels(small);
+    sum[view.condition][view.set] += view_s;
+    ++count[view.condition][view.set];
+    ++pilot.views;
+
+    // At full size: of each size a view of its middle H-FOV in each of the first conditions.
+    FullSize& of_size = full[plan.sets[view.set].size];
+    if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
+    const RenderedHalves whole = times == 1 ? reduced : render_halves(plan, view, view.master, scene);
+    pilot.view_bytes = std::max(pilot.view_bytes, bytes_of(whole));
+    full_s += whole.cpu_s;
+    foretold_s += view_s;
+    before = process_cpu_s();
+    ImageTimes unused;
+    const ViewRecord made = make_images(plan, v, whole, scratch.path, unused);
+    of_size.cpu_s += process_cpu_s() - before;
+    for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
+    if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);
+    of_size.images += static_cast<int>(made.images.size());
+    ++of_size.views;
+  }
+  for (std::size_t c = 0; c < sum.size(); ++c) {
+    // Where there are fewer conditions than parts, views of a set share one.
+    for (std::size_t s = 0; s < sum[c].size(); ++s) sum[c][s] /= std::max(1, count[c][s]);
+    pilot.render_cpu_s.push_back(sum[c]);
+  }
+  pilot.full_size_ratio = full_s / foretold_s;
+  for (const FullSize& of_size : full) {
+    pilot.image_costs.push_back({of_size.cpu_s / of_size.images, of_size.bytes / of_size.images});
+    pilot.full_size_views += of_size.views;
+    pilot.images += of_size.images;
+  }
+  pilot.peak_bytes = peak_bytes();
+  return pilot;
+}
+
+}  // namespace cps

@@ -1,0 +1,127 @@
+#include "production/rerender.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/job/frames.h"
+#include "dataset/job/image_file.h"
+#include "dataset/labels/label.h"
+#include "files/files.h"
+#include "production/condition_scene.h"
+#include "production/progress.h"
+#include "production/view_render.h"
+#include "renderer/materials/srgb.h"
+#include "sensor/develop.h"
+
+namespace cps {
+namespace {
+
+struct DrawnImage {
+  std::int64_t view;
+  int group;
+};
+
+/// Any image with equal chance, none twice, in the plan's order.
+std::vector<DrawnImage> draw_images(const Plan& plan, const RerenderOptions& options) {
+  std::vector<DrawnImage> images;
+  for (std::size_t v = 0; v < plan.views.size(); ++v)
+    for (int g : plan.views[v].groups) images.push_back({static_cast<std::int64_t>(v), g});
+  const auto wanted = std::min<std::size_t>(options.images, images.size());
+  const Stream stream = make_stream(options.seed, "rerender");
+  for (std::size_t i = 0; i < wanted; ++i)
+    std::swap(images[i], images[i + random_below(stream, i, images.size() - i)]);
+  images.resize(wanted);
+  std::sort(images.begin(), images.end(), [](const DrawnImage& a, const DrawnImage& b) {
+    return std::pair(a.view, a.group) < std::pair(b.view, b.group);
+  });
+  return images;
+}
+
+/// Brightness as the eye has it, from 0 to 1: of stored pixels, or of linear ones after exposure.
+OIIO::ImageBuf brightness(const OIIO::ImageBuf& image, bool is_linear) {
+  OIIO::ImageBuf values;
+  values.copy(image, OIIO::TypeDesc::FLOAT);
+  auto* value = static_cast<float*>(values.localpixels());
+  for (std::size_t i = 0; is_linear && i < values.spec().image_pixels() * values.spec().nchannels; ++i)
+    value[i] = static_cast<float>(srgb_from_linear(std::clamp(value[i], 0.0f, 1.0f)));
+  return values.spec().nchannels == 1 ? values : luminance(values);
+}
+
+OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const Label& label,
+                            const FrameRow& frame, RenderScene& scene, const RerenderOptions& options) {
+  put_car(scene, world_from_vehicle(view.place));
+  Camera camera = camera_of(view, label.camera);
+  camera.lens = label.distortion;
+  OIIO::ImageBuf image = render(scene, camera,
+                                {.samples = options.samples,
+                                 .max_shaded_vertices = plan.recipe.max_shaded_vertices,
+                                 .seed = make_stream(view.seed, "again").key,
+                                 .filter = PixelFilter::gaussian});
+  image = expose(image, frame.exposure, {.exposure_bias_ev = frame.exposure_bias_ev});
+  return plan.recipe.image_format == ImageFormat::png_gray ? luminance(image) : image;
+}
+
+std::string fault_of(const Registration& found, const RerenderOptions& options) {
+  const double shift = std::hypot(found.shift_x_px, found.shift_y_px);
+  if (shift - 3 * found.shift_noise_px > options.most_shift_px)
+    return fmt::format("lies {:.2f} px off what its label says", shift);
+  if (found.block_rms_px > options.most_block_rms_px)
+    return fmt::format("its parts lie {:.2f} px (rms) off what its label says", found.block_rms_px);
+  return "";
+}
+
+FrameRow frame_of(const std::filesystem::path& root, const std::filesystem::path& file) {
+  for (const FrameRow& row : read_frames_csv(root / file.parent_path() / "frames.csv"))
+    if (row.file == file.filename().string()) return row;
+  throw std::runtime_error((root / file).string() + ": is not in frames.csv");
+}
+
+}  // namespace
+
+std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
+                                      const RerenderOptions& options) {
+  const std::vector<DrawnImage> drawn = draw_images(plan, options);
+  std::vector<RerenderedImage> images;
+  ConditionScene loaded;
+  Progress progress("images", 0, static_cast<std::int64_t>(drawn.size()));
+  for (const DrawnImage& image : drawn) {
+    const PlannedView& view = plan.views[image.view];
+    const std::string file = plan.groups[image.group].folder + "/" + image_name(plan, view);
+    const std::filesystem::path calibration = root / plan.groups[image.group].folder / "calibration.json";
+    const Label label = label_from_json(read_json(calibration), calibration.string());
+    const bool is_linear = plan.recipe.image_format == ImageFormat::exr;
+    const OIIO::ImageBuf stored = brightness(read_pixels(root / file), is_linear);
+    const OIIO::ImageBuf again = brightness(
+        render_again(plan, view, label, frame_of(root, file), loaded.of(plan, view), options), true);
+    RerenderedImage result{.file = file, .registration = register_pictures(again, stored), .fault = {}};
+    result.fault = fault_of(result.registration, options);
+    images.push_back(result);
+    progress.advance(1, file);
+  }
+  progress.finish();
+  return images;
+}
+
+void write_report(const std::filesystem::path& root, const RerenderOptions& options,
+                  const std::vector<RerenderedImage>& images) {
+  nlohmann::ordered_json list = nlohmann::json::array();
+  for (const RerenderedImage& image : images) {
+    const Registration& found = image.registration;
+    list.push_back({{"file", image.file},
+                    {"shift_px", {found.shift_x_px, found.shift_y_px}},
+                    {"shift_noise_px", found.shift_noise_px},
+                    {"blocks", found.blocks},
+                    {"block_rms_px", found.block_rms_px},
+                    {"worst_block_px", found.worst_block_px},
+                    {"psnr_db", found.psnr_db},
+                    {"fault", image.fault}});
+  }
+  write_json(root / ".cps" / "rerender.json", {{"samples", options.samples},
+                                               {"most_shift_px", options.most_shift_px},
+                                               {"most_block_rms_px", options.most_block_rms_px},
+                                               {"images", list}});
+}
+
+}  // namespace cps

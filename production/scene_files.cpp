@@ -1,0 +1,50 @@
+#include "production/scene_files.h"
+
+#include <stdexcept>
+
+#include "files/file_lock.h"
+#include "files/files.h"
+#include "scenes/drive/unit_scale.h"
+#include "scenes/ego_bonnet.h"
+#include "scenes/gltf_import.h"
+
+namespace cps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Makes the cities that are missing; does not `wait` for those that another process is making.
+void make_missing_cities(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder, bool wait) {
+  for (const PlannedScene& scene : scenes) {
+    if (!scene.city || fs::exists(scene.file)) continue;
+    const FileLock lock(lock_folder / (scene.file.filename().string() + ".lock"), FileLock::Kind::exclusive,
+                        wait);
+    if (!lock.is_held() || fs::exists(scene.file)) continue;
+    write_by_rename(scene.file, [&](const fs::path& temporary) { write_city(*scene.city, temporary); });
+  }
+}
+
+}  // namespace
+
+void make_scene_files(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder) {
+  for (const PlannedScene& scene : scenes)
+    if (!scene.city && !fs::is_regular_file(scene.file))
+      throw std::runtime_error("scene: " + scene.file.string() + ": there is no such file");
+  for (bool wait : {false, true}) make_missing_cities(scenes, lock_folder, wait);
+}
+
+Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
+  Scene scene = import_gltf(planned.file);
+  scale_scene(scene, planned.metres_per_unit);
+  if (recipe.ego_bonnet) add_ego_bonnet(scene);
+  return scene;
+}
+
+std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes) {
+  std::vector<std::string> hashes;
+  for (const PlannedScene& scene : scenes) hashes.push_back(sha256(read_file(scene.file)));
+  return hashes;
+}
+
+}  // namespace cps

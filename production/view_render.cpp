@@ -1,0 +1,30 @@
+#include "production/view_render.h"
+
+namespace cps {
+
+Camera camera_of(const PlannedView& view, const Pinhole& pinhole) {
+  return {.world_from_camera = world_from_vehicle(view.place) * vehicle_from_camera(view.camera),
+          .pinhole = pinhole};
+}
+
+RenderedHalves render_halves(const Plan& plan, const PlannedView& view, const Pinhole& pinhole,
+                             RenderScene& scene, const TileProgress& progress) {
+  put_car(scene, world_from_vehicle(view.place));
+  RenderedHalves halves;
+  const auto render_half = [&](const char* stream) {
+    RenderSummary summary;
+    OIIO::ImageBuf half = render(scene, camera_of(view, pinhole),
+                                 {.samples = plan.recipe.samples / 2,
+                                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
+                                  .seed = make_stream(view.seed, stream).key,
+                                  .progress = progress},
+                                 &summary);
+    halves.cpu_s += summary.cpu_s;
+    return half;
+  };
+  halves.first = render_half("first half");
+  halves.second = render_half("second half");
+  return halves;
+}
+
+}  // namespace cps

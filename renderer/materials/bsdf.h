@@ -1,0 +1,78 @@
+#pragma once
+
+#include "renderer/math/color.h"
+#include "renderer/math/frame.h"
+
+namespace cps {
+
+/// What a BSDF is made of: glTF 2.0's metallic-roughness surface and the extensions read here.
+struct BsdfParameters {
+  Color base_color;
+  float metallic = 0, roughness = 1;
+  Color dielectric_f0 = Color::Constant(0.04f);  ///< reflectance at normal incidence; index 1.5 against air
+  float dielectric_f90 = 1;                      ///< and at grazing (KHR_materials_specular)
+  float transmission = 0;                        ///< share of the dielectric's base that is clear glass
+  Color straight = Color::Zero();                ///< what passes: thin_glass_transmittance, or 0
+  float clearcoat = 0, clearcoat_roughness = 0;
+  Vec3 clearcoat_normal = Vec3::UnitZ();  ///< in the shading frame
+};
+
+/// A clear coat over everything else: a second layer, of index 1.5, with a normal of its own.
+struct Coat {
+  float strength = 0;  ///< 0: there is none, and the rest is not set
+  float alpha, roughness;
+  Frame frame;  ///< around its normal, in the shading frame
+  Vec3 wo;      ///< in that frame
+};
+
+/// glTF 2.0's metallic-roughness surface (specification, appendix B): a metal and a dielectric mixed by
+/// `metallic`, both with one GGX layer. The appendix weighs the diffuse base below the layer by 1 − F(V·H),
+/// which reflects up to 1.5 times what arrives at grazing angles; here the base gets what the layer leaves
+/// over on average over its directions (Kelemen & Szirmay-Kalos 2001), which is reciprocal and never gains
+/// energy. A clear coat takes its directional albedo from all that is below, as KHR_materials_clearcoat does
+/// with its Fresnel term; that is not reciprocal, and never gains energy either. Thin glass lets light pass
+/// straight on. Directions are in the shading frame and point away from the surface.
+struct Bsdf {
+  Color diffuse;               ///< base colour of the dielectric part
+  Color f0;                    ///< the layer's reflectance at normal incidence
+  float f90;                   ///< and at grazing
+  bool has_layer;              ///< false where both are 0: a Lambert surface
+  float roughness;             ///< glTF's
+  float alpha;                 ///< GGX width, roughness²
+  float base_f0, base_f90;     ///< of the dielectric part of the layer, which is over the diffuse base
+  float base_share;            ///< (1 − E(wo)) / (1 − mean E): the layer's transmission towards wo
+  float specular_probability;  ///< of sampling the layer
+  float diffuse_probability;
+  float straight_probability;
+  Color straight;  ///< share of the light that goes on straight through thin glass
+  Coat coat;       ///< sampled in all other cases
+};
+
+/// `wo` points to the viewer, its z > 0.
+Bsdf make_bsdf(const BsdfParameters& parameters, const Vec3& wo);
+
+/// Share of the light that passes straight through, at this cosine to the normal. Shadow rays multiply by it
+/// what next-event estimation finds behind glass; paths that go on straight carry it.
+Color thin_glass_transmittance(const BsdfParameters& parameters, float cosine);
+
+/// Value times |cos_i|, and the density (1/sr) with which sample_bsdf would choose wi. Both 0 below the
+/// surface: what goes straight is no matter of densities.
+struct BsdfValue {
+  Color f_cos;
+  float pdf;
+};
+BsdfValue evaluate_bsdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi);
+
+struct BsdfSample {
+  enum class Kind { layer, diffuse, coat, straight };
+  Vec3 wi;
+  Color weight;  ///< f·cos / pdf
+  float pdf;     ///< 0: no direction, the path ends. Not set where the light goes straight
+  Kind kind;
+};
+BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eigen::Vector2f& u);
+
+/// Directions by cosine over the upper hemisphere.
+Vec3 sample_cosine_hemisphere(const Eigen::Vector2f& u);
+
+}  // namespace cps

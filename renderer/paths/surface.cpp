@@ -1,0 +1,170 @@
+#include "renderer/paths/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/math/fast_math.h"
+
+namespace cps {
+namespace {
+
+Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
+  if (uv_set == 0) return geometry.vertices[vertex].uv;
+  return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
+}
+
+/// So many times longer than wide may the part of a footprint be that one texture lookup averages. It then
+/// reaches √8 widths to the side, less than a pixel where a pixel has 16 rays or more.
+constexpr float elongation_of_a_tap = 8.0f;
+constexpr int most_taps = 8;
+
+/// Steps in barycentric (u, v) of a step in the triangle's plane.
+Eigen::Vector2f barycentric_step(const WorldTriangle& t, const Vec3& step) {
+  const Vec3 ab = t.positions[1] - t.positions[0], ac = t.positions[2] - t.positions[0];
+  const Vec3 normal = ab.cross(ac);
+  return Eigen::Vector2f(step.cross(ac).dot(normal), ab.cross(step).dot(normal)) / normal.squaredNorm();
+}
+
+/// Texture coordinates at the hit, and the ray's footprint in their units: the cone's (ray cones:
+/// Akenine-Möller et al. 2019), which the surface's slant stretches away from the viewer. A lookup averages a
+/// round area as large as its share of the footprint; what the viewer sees at a slant (roads) is covered by
+/// several in a row.
+TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, const Ray& ray, float width,
+                                   float cosine) {
+  TextureFootprint footprint;
+  const float world_area = t.normal.norm();
+  const float elongation = 1.0f / std::max(cosine, 1e-3f);
+  if (ray.from_viewer && world_area > 0.0f)
+    footprint.taps = std::clamp(static_cast<int>(elongation / elongation_of_a_tap + 0.5f), 1, most_taps);
+  const float tap_area = width * width * elongation / static_cast<float>(footprint.taps);
+  Eigen::Vector2f step = Eigen::Vector2f::Zero();
+  if (footprint.taps > 1) {
+    const Vec3 away = ray.direction - t.normal * (t.normal.dot(ray.direction) / (world_area * world_area));
+    step = barycentric_step(t, away.normalized() * (width * elongation / static_cast<float>(footprint.taps)));
+  }
+  const int sets = t.geometry.uv1.empty() ? 1 : 2;
+  for (int set = 0; set < sets; ++set) {
+    const Eigen::Vector2f a = uv_of(t.geometry, set, t.corner.x()), b = uv_of(t.geometry, set, t.corner.y()),
+                          c = uv_of(t.geometry, set, t.corner.z());
+    footprint.uv[set] = interpolate(a, b, c, hit.u, hit.v);
+    const Eigen::Vector2f ab = b - a, ac = c - a;
+    const float uv_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+    const float squared = tap_area * uv_area / world_area;
+    footprint.log2_width[set] = 0.5f * log2_of(std::clamp(squared, 1e-30f, 1e30f));
+    footprint.step[set] = ab * step.x() + ac * step.y();
+  }
+  if (sets == 1) {
+    footprint.uv[1] = footprint.uv[0];
+    footprint.log2_width[1] = footprint.log2_width[0];
+    footprint.step[1] = footprint.step[0];
+  }
+  return footprint;
+}
+
+Vec3 interpolated_normal(const WorldTriangle& t, const Hit& hit) {
+  const auto packed = [&](int corner) { return t.geometry.vertices[corner].normal; };
+  const std::uint32_t a = packed(t.corner.x()), b = packed(t.corner.y()), c = packed(t.corner.z());
+  if (a == b && a == c) return unpack_direction(a);  // walls and roads are flat
+  return interpolate(unpack_direction(a), unpack_direction(b), unpack_direction(c), hit.u, hit.v);
+}
+
+/// What a normal map does to the interpolated normal, in the world.
+Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, const TextureLookup& map,
+                   float scale, const TextureFootprint& footprint) {
+  const auto& vertices = t.geometry.vertices;
+  const float sign = vertices[t.corner.x()].bitangent_sign;
+  if (sign == 0.0f) return normal;
+  Vec3 tangent = interpolate(unpack_direction(vertices[t.corner.x()].tangent),
+                             unpack_direction(vertices[t.corner.y()].tangent),
+                             unpack_direction(vertices[t.corner.z()].tangent), hit.u, hit.v);
+  if (t.placement.shared) tangent = t.placement.world_from_mesh.linear() * tangent;
+  tangent -= normal * normal.dot(tangent);
+  const float length = tangent.norm();
+  if (length < 1e-6f) return normal;
+  tangent /= length;
+  const Vec3 bitangent = normal.cross(tangent) * (t.placement.mirrored ? -sign : sign);
+
+  const Eigen::Array4f texel = map.sample(footprint);
+  const Vec3 n = 2.0f * texel.head<3>().matrix() - Vec3::Ones();
+  return (scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal).normalized();
+}
+
+/// Bends a shading normal so that the mirror image of `wo` leaves the true surface: without it a bump that
+/// faces away from the viewer, or reflects into the surface, turns black (as Keller et al. 2017, "The Iray
+/// light transport simulation and rendering system", section A.3).
+Vec3 bent_towards_viewer(const Vec3& normal, const Vec3& geometric_normal, const Vec3& wo) {
+  const Vec3 reflected = 2.0f * normal.dot(wo) * normal - wo;
+  const float lowest = std::min(0.01f, 0.9f * geometric_normal.dot(wo));
+  const float below = lowest - geometric_normal.dot(reflected);
+  if (below <= 0.0f) return normal;
+  return (wo + (reflected + below * geometric_normal).normalized()).normalized();
+}
+
+}  // namespace
+
+bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit) {
+  const Placement& placement = placed.placements[hit.placement];
+  if (placed.geometries[placement.geometry].material->double_sided) return false;
+  return world_triangle(placed, hit.placement, hit.triangle).normal.dot(ray.direction) > 0.0f;
+}
+
+Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
+                     float least_roughness) {
+  const WorldTriangle t = world_triangle(placed, hit.placement, hit.triangle);
+  const Geometry& geometry = t.geometry;
+  const SurfaceMaterial& material = *geometry.material;
+  const Vec3 wo = -ray.direction;
+
+  Surface surface;
+  surface.position = interpolate(t.positions[0], t.positions[1], t.positions[2], hit.u, hit.v);
+  surface.clearance = rounding_of(t);
+
+  const float world_area = t.normal.norm();
+  const Vec3 front = world_area > 0.0f ? Vec3(t.normal / world_area) : wo;
+  const bool is_front = front.dot(wo) >= 0.0f;
+  surface.geometric_normal = is_front ? front : Vec3(-front);
+
+  const TextureFootprint footprint = texture_footprint(t, hit, ray, footprint_width, std::abs(front.dot(wo)));
+  Vec3 normal = interpolated_normal(t, hit);
+  if (t.placement.shared) normal = t.placement.normal_from_mesh * normal;
+  const float length = normal.norm();
+  normal = length > 1e-6f ? Vec3(normal / length) : front;
+  const bool faces_away = normal.dot(surface.geometric_normal) < 0.0f;
+  const Vec3 smooth_normal = normal;
+  const auto facing_viewer = [&](const Vec3& n) {
+    return bent_towards_viewer(faces_away ? Vec3(-n) : n, surface.geometric_normal, wo);
+  };
+  if (material.normal_texture.texture)
+    normal = mapped_normal(t, hit, normal, material.normal_texture, material.normal_scale, footprint);
+  surface.shading = frame_around(facing_viewer(normal));
+  surface.wo = surface.shading.to_local(wo);
+  surface.wo.z() = std::max(surface.wo.z(), 1e-4f);
+
+  const Color base_color = geometry.base_color(hit.triangle, hit.u, hit.v, footprint).head<3>();
+  surface.base_color = base_color;
+  const bool shows = is_front || material.double_sided;
+  surface.emission = Color::Zero();
+  surface.scatters = !material.unlit;
+  if (!surface.scatters) {
+    if (shows) surface.emission = material.unlit_radiance * base_color;
+    return surface;
+  }
+  if (material.emits && shows)
+    surface.emission = material.emissive * material.emissive_texture.sample(footprint).head<3>();
+
+  BsdfParameters parameters = bsdf_parameters(material, base_color, footprint);
+  if (material.transmits) parameters.straight = thin_glass_transmittance(parameters, std::abs(front.dot(wo)));
+  parameters.roughness = std::max(parameters.roughness, least_roughness);
+  if (parameters.clearcoat > 0.0f) {
+    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, least_roughness);
+    const Vec3 coat_normal = material.clearcoat_normal_texture.texture
+                                 ? mapped_normal(t, hit, smooth_normal, material.clearcoat_normal_texture,
+                                                 material.clearcoat_normal_scale, footprint)
+                                 : smooth_normal;
+    parameters.clearcoat_normal = surface.shading.to_local(facing_viewer(coat_normal));
+  }
+  surface.bsdf = make_bsdf(parameters, surface.wo);
+  return surface;
+}
+
+}  // namespace cps

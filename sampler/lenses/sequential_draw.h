@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "distortion/crop/limits.h"
+#include "random/counter_hash.h"
+#include "sampler/lenses/lens_options.h"
+
+namespace cps {
+
+/// Five coefficients and the interval each was drawn from ([0, 0] if it was not), in the order k1 k2 k3 p1
+/// p2.
+struct SequentialDraw {
+  Distortion lens;
+  std::array<Interval, 5> limits;
+  std::array<int, 5> order;  ///< which coefficient was drawn first, second, …
+};
+
+/// The thesis' scheme: the five coefficients in random order, each uniform in the interval that root-finding
+/// leaves it given those already drawn. That is one sweep of a Gibbs sampler, begun at no distortion, on the
+/// convex set of lenses within the bounds on `frame`, so it never fails and rejects nothing. `choice` leaves
+/// some out and cuts k1's interval, in the frame's unit of length.
+SequentialDraw draw_sequential(const Eigen::AlignedBox2d& frame, const LensBounds& bounds,
+                               const CoefficientChoice& choice, Stream stream);
+
+/// 0 … count−1 in an order drawn from `stream` (Fisher–Yates).
+template <std::size_t count>
+std::array<int, count> drawn_order(Stream stream) {
+  std::array<int, count> order;
+  for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<int>(i);
+  for (std::size_t i = count - 1; i > 0; --i) std::swap(order[i], order[random_below(stream, i, i + 1)]);
+  return order;
+}
+
+}  // namespace cps

@@ -1,0 +1,163 @@
+#include "scenes/gltf/document/container.h"
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include "scenes/gltf/document/data_uris.h"
+#include "scenes/gltf/document/draco.h"
+#include "scenes/gltf/document/json_checks.h"
+
+namespace cps::gltf {
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+/// tinygltf counts bytes in 32 bits, images in 31.
+constexpr std::size_t max_file_bytes = std::numeric_limits<std::int32_t>::max();
+
+/// "[1,1,1,…" takes two bytes of text a value, and 16 in the first tree, 150 in tinygltf's.
+constexpr std::size_t max_json_growth = 128;
+
+/// Reads a regular file of at most `max_bytes`; `why` names what is wrong otherwise.
+bool read_bytes(const std::filesystem::path& file, std::size_t max_bytes, Bytes& bytes, std::string& why) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) return why = "no such file", false;
+  if (!std::filesystem::is_regular_file(status)) return why = "is not a regular file", false;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return why = error.message(), false;
+  if (size == 0) return why = "is empty", false;
+  if (size > max_file_bytes) return why = "is larger than 2 GiB", false;
+  if (size > max_bytes) return why = "is more than may be read for this scene", false;
+  std::ifstream stream(file, std::ios::binary);
+  bytes.resize(size);
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    return why = "cannot be read", false;
+  return true;
+}
+
+std::uint32_t little_endian_u32(const Bytes& bytes, std::size_t offset) {
+  std::uint32_t value;
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+bool is_glb(const Bytes& bytes) {
+  return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+}
+
+/// glTF 2.0 §4.4: a 12-byte header, then chunks of length, type and data, JSON first. Returns the JSON.
+std::string_view check_glb(const std::filesystem::path& file, const Bytes& bytes) {
+  constexpr std::uint32_t json_chunk = 0x4E4F534A;
+  if (bytes.size() < 20) refuse(file, "GLB header", "the file ends inside it: is it complete?");
+  if (little_endian_u32(bytes, 4) != 2)
+    refuse(file, "GLB header", "container version is not 2: convert the file to glTF 2.0");
+  const std::size_t length = little_endian_u32(bytes, 8);
+  if (length > bytes.size())
+    refuse(file, "GLB header",
+           "announces " + std::to_string(length) + " bytes, the file has " + std::to_string(bytes.size()) +
+               ": is it complete?");
+  for (std::size_t offset = 12; offset < length;) {
+    if (length - offset < 8) refuse(file, "GLB chunk", "its header is cut off: is the file complete?");
+    const std::size_t chunk = little_endian_u32(bytes, offset);
+    if (chunk > length - offset - 8) refuse(file, "GLB chunk", "is longer than the file: is it complete?");
+    if (chunk % 4 != 0) refuse(file, "GLB chunk", "its length is not a multiple of 4");
+    offset += 8 + chunk;
+  }
+  if (length < 20 || little_endian_u32(bytes, 16) != json_chunk)
+    refuse(file, "GLB chunk", "the first one is not JSON: is this a glTF file?");
+  return {reinterpret_cast<const char*>(bytes.data()) + 20, little_endian_u32(bytes, 12)};
+}
+
+/// The same file with another JSON text.
+Bytes with_json(const Bytes& bytes, std::string text) {
+  if (!is_glb(bytes)) return {text.begin(), text.end()};
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::size_t other_chunks = 20 + std::size_t{little_endian_u32(bytes, 12)};
+  Bytes changed(bytes.begin(), bytes.begin() + 20);
+  changed.insert(changed.end(), text.begin(), text.end());
+  changed.insert(changed.end(), bytes.begin() + other_chunks, bytes.begin() + little_endian_u32(bytes, 8));
+  const auto length = static_cast<std::uint32_t>(changed.size()),
+             json_length = static_cast<std::uint32_t>(text.size());
+  std::memcpy(&changed[8], &length, sizeof length);
+  std::memcpy(&changed[12], &json_length, sizeof json_length);
+  return changed;
+}
+
+/// Keeps an image file's bytes for later. Images in buffer views are left alone: tinygltf hands over a
+/// pointer it has not checked.
+bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                      const unsigned char* bytes, int size, void*) {
+  if (image->bufferView == -1) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+/// The glTF file's folder, and how many bytes may still be read from the files in it: a thousand buffers can
+/// name the same large one.
+struct Folder {
+  std::string path;
+  std::size_t bytes_left;
+};
+
+/// tinygltf looks for files beside the glTF file and then in the current directory; only the former is meant.
+tinygltf::FsCallbacks files_beside(Folder* folder) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string& path, void* user) {
+    std::error_code error;
+    return path.starts_with(static_cast<Folder*>(user)->path + "/") &&
+           std::filesystem::is_regular_file(path, error);
+  };
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void* user) {
+    std::size_t& bytes_left = static_cast<Folder*>(user)->bytes_left;
+    std::string why;
+    if (read_bytes(path, bytes_left, *out, why)) return bytes_left -= out->size(), true;
+    if (error) *error += why;
+    return false;
+  };
+  callbacks.user_data = folder;
+  return callbacks;
+}
+
+}  // namespace
+
+Document read_document(const std::filesystem::path& file, std::size_t max_decoded_bytes) {
+  Bytes bytes;
+  std::string why;
+  if (!read_bytes(file, max_file_bytes, bytes, why)) throw std::runtime_error(file.string() + ": " + why);
+
+  const bool glb = is_glb(bytes);
+  const std::string_view text =
+      glb ? check_glb(file, bytes)
+          : std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  if (text.size() > max_decoded_bytes / max_json_growth)
+    refuse(file, "JSON", "is longer than " + std::to_string(max_decoded_bytes / max_json_growth) + " bytes");
+  nlohmann::json root = parse_checked_json(file, text);
+  const bool draco_changed = complete_draco_accessors(root), uris_changed = complete_data_uris(root);
+  if (draco_changed || uris_changed) bytes = with_json(bytes, root.dump());
+
+  Document document{.file = file, .max_decoded_bytes = max_decoded_bytes};
+  Folder folder{file.has_parent_path() ? file.parent_path().string() : ".", max_decoded_bytes};
+  tinygltf::TinyGLTF reader;
+  reader.SetImageLoader(keep_image_bytes, nullptr);
+  reader.SetFsCallbacks(files_beside(&folder));
+  std::string error, remarks;
+  bool loaded = false;
+  try {
+    const auto size = static_cast<unsigned int>(bytes.size());
+    loaded =
+        glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder.path)
+            : reader.LoadASCIIFromString(&document.model, &error, &remarks,
+                                         reinterpret_cast<const char*>(bytes.data()), size, folder.path);
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  // It also returns true after errors that made it drop a part of the file.
+  if (!loaded || !error.empty()) refuse(file, "glTF", error.empty() ? "cannot be parsed" : error);
+  return document;
+}
+
+}  // namespace cps::gltf

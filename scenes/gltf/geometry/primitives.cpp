@@ -1,0 +1,137 @@
+#include "scenes/gltf/geometry/primitives.h"
+
+#include <numeric>
+
+#include "scenes/gltf/document/attributes.h"
+#include "scenes/gltf/geometry/morphs.h"
+#include "scenes/gltf/geometry/normals.h"
+#include "scenes/gltf/geometry/skins.h"
+#include "scenes/gltf/geometry/tangents.h"
+#include "scenes/gltf/geometry/triangles.h"
+
+namespace cps::gltf {
+namespace {
+
+std::vector<std::uint32_t> read_corners(Document& document, const tinygltf::Primitive& primitive,
+                                        std::size_t vertex_count, const std::string& where) {
+  std::vector<std::uint32_t> indices;
+  if (primitive.indices != -1) {
+    indices = read_indices(document, primitive.indices, where + ".indices");
+    for (const std::uint32_t index : indices)
+      if (index >= vertex_count)
+        refuse(document, where + ".indices",
+               "vertex " + std::to_string(index) + " of " + std::to_string(vertex_count) + " does not exist");
+  } else {
+    reserve_memory(document, where, vertex_count, sizeof(std::uint32_t));
+    indices.resize(vertex_count);
+    std::iota(indices.begin(), indices.end(), 0u);
+  }
+  return triangle_corners(document, primitive.mode, indices, where);
+}
+
+/// Every vertex has the coordinates its material asks for, zeros if need be.
+void complete_uv(PrimitiveReader& reader, const Material& material, Mesh& mesh) {
+  const auto needs = [&](int set) {
+    for (const TextureSlot* slot : texture_slots(material))
+      if (slot->texture != -1 && slot->uv_set == set) return true;
+    return false;
+  };
+  if ((mesh.uv0.empty() && needs(0)) || (mesh.uv1.empty() && needs(1)))
+    warn(reader.document,
+         reader.where + ": its material's textures need texture coordinates that it does not have");
+  if (mesh.uv0.empty()) mesh.uv0.assign(mesh.positions.size(), Eigen::Vector2f::Zero());
+  if (mesh.uv1.empty() && needs(1)) mesh.uv1.assign(mesh.positions.size(), Eigen::Vector2f::Zero());
+}
+
+/// Normals and tangents, made where the file has none or broken ones.
+void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& mesh) {
+  if (mesh.normals.empty()) {
+    reserve_memory(reader.document, reader.where, mesh.triangles.size(), 3 * 64);
+    make_flat_normals(mesh);
+  } else if (const std::size_t repaired = repair_normals(mesh)) {
+    warn(reader.document,
+         reader.where + ".NORMAL: " + std::to_string(repaired) + " without direction, made anew");
+  }
+  const TextureSlot& normal_map =
+      material.normal_texture.texture != -1 ? material.normal_texture : material.clearcoat_normal_texture;
+  if (normal_map.texture == -1) {
+    mesh.tangents.clear();  // of no use
+    return;
+  }
+  if (!normalize_tangents(mesh)) {
+    warn(reader.document, reader.where + ".TANGENT: not valid, made anew");
+    mesh.tangents.clear();
+  }
+  if (mesh.tangents.empty()) make_tangents(mesh, normal_map);
+}
+
+/// Bends the mesh to its joints; without JOINTS_0 and WEIGHTS_0 it stays as it is.
+void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_transforms, Mesh& mesh) {
+  const auto joints = read_finite_attribute<4>(reader, "JOINTS_0");
+  const auto weights = read_finite_attribute<4>(reader, "WEIGHTS_0");
+  if (joints.empty() || weights.empty()) {
+    warn(reader.document, reader.where + ": has a skin but no JOINTS_0 and WEIGHTS_0, drawn as it is");
+    return;
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const float count = static_cast<float>(joint_transforms.size());
+    const bool valid = joints[i].minCoeff() >= 0 && joints[i].maxCoeff() < count &&
+                       weights[i].minCoeff() >= 0 && weights[i].sum() > 0;
+    if (!valid)
+      refuse(reader.document, reader.where + ".JOINTS_0",
+             "vertex " + std::to_string(reader.vertices[i]) + " has no joint of its skin or no weight");
+  }
+  blend_to_joints(mesh, joints, weights, joint_transforms);
+}
+
+/// Weights and transforms may lead beyond what a float holds.
+void check_finite(const PrimitiveReader& reader, const Mesh& mesh) {
+  const auto check = [&](const auto& values, const char* name) {
+    for (const auto& value : values)
+      if (!value.allFinite())
+        refuse(reader.document, reader.where + "." + name, "is not finite in the rest pose");
+  };
+  check(mesh.positions, "POSITION");
+  check(mesh.uv0, "TEXCOORD_0");
+  check(mesh.uv1, "TEXCOORD_1");
+}
+
+}  // namespace
+
+Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive, const RestPose& pose,
+               const std::string& where) {
+  Document& document = materials.document;
+  Mesh mesh;
+  if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+    refuse(document, where + ".mode", std::to_string(primitive.mode) + " is not one of glTF's");
+  if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    warn(document, where + ": points and lines are not drawn");
+    return mesh;
+  }
+  const auto position = primitive.attributes.find("POSITION");
+  if (position == primitive.attributes.end()) {
+    warn(document, where + ": has no POSITION and is not drawn");
+    return mesh;
+  }
+  const std::size_t vertex_count = elements(document, position->second, where + ".POSITION").count;
+  CompactTriangles compacted =
+      compact(document, read_corners(document, primitive, vertex_count, where), where);
+  PrimitiveReader reader{document, primitive, where, std::move(compacted.vertices), vertex_count};
+  mesh.triangles = std::move(compacted.triangles);
+  mesh.positions = read_finite_attribute<3>(reader, "POSITION");
+  mesh.normals = read_attribute<3>(reader, "NORMAL");
+  mesh.tangents = read_attribute<4>(reader, "TANGENT");
+  mesh.uv0 = read_finite_attribute<2>(reader, "TEXCOORD_0");
+  mesh.uv1 = read_finite_attribute<2>(reader, "TEXCOORD_1");
+  mesh.colors = read_colors(reader);
+  apply_morph_targets(reader, pose.weights, mesh);
+  if (!pose.joint_transforms.empty()) apply_skin(reader, pose.joint_transforms, mesh);
+  check_finite(reader, mesh);
+  mesh.material = material_index(materials, primitive.material, where);
+  const Material& material = materials.scene.materials[mesh.material];
+  complete_uv(reader, material, mesh);
+  complete_frames(reader, material, mesh);
+  return mesh;
+}
+
+}  // namespace cps::gltf

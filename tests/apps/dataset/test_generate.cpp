@@ -1,0 +1,157 @@
+#include <catch2/catch.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/apps/dataset/dataset_runs.h"
+#include "tests/apps/street_gltf.h"
+#include "tests/temporary_folder.h"
+
+using namespace cps;
+namespace fs = std::filesystem;
+
+TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finished one is left alone") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  const ProgramRun made = run_cps(tiny_recipe(scene, out));
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  const auto files = contents(out);
+  CHECK(std::count_if(files.begin(), files.end(), [](const auto& f) { return f.first.ends_with(".png"); }) ==
+        2 * 5 * 3);
+  CHECK(files.contains("80x45_hfov060/front_lens0000/calibration.json"));
+  CHECK(files.at("dataset.json").find("made by a test") != std::string::npos);
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+  CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
+  CHECK(run_cps("contact-sheet " + out.string() + " -o " + (folder / "sheet.png").string()).exit_status == 0);
+  const auto before = fs::last_write_time(out / "dataset.json");
+  const ProgramRun again = run_cps(tiny_recipe(scene, out));
+  CHECK(again.exit_status == 0);
+  CHECK_THAT(again.output, Catch::Contains("nothing to do"));
+  CHECK(fs::last_write_time(out / "dataset.json") == before);
+}
+
+TEST_CASE("label-first, the images have the H-FOV asked for and their bases differ") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  const ProgramRun made = run_cps("generate --scene " + scene.string() +
+                                  " --size 80x45 --hfov_deg 70 --views 3 --lenses 3 --samples 2 "
+                                  "--lens_draw shape_prior --out " +
+                                  out.string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  std::set<double> bases;
+  for (const auto& entry : fs::directory_iterator(out / "80x45_hfov070")) {
+    const nlohmann::json label = read_json(entry.path() / "calibration.json");
+    CHECK(label["fov"].get<double>() == Approx(70).epsilon(1e-9));
+    bases.insert(label["fov_base_deg"].get<double>());
+  }
+  CHECK(bases.size() == 10);  // the undistorted lens and three for each of three parts
+  CHECK(*bases.begin() == Approx(70));
+  CHECK(*bases.rbegin() > 75);
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+}
+
+TEST_CASE("a rig's cameras have folders, labels and lenses of their own and share their places") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  const ProgramRun made = run_cps("generate --scene " + scene.string() +
+                                  " --size 80x45 --base_hfov_deg 70 --views 3 --lenses 1 --samples 2 --rig " +
+                                  CPS_RECIPES + "/kitti.rig --out " + out.string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  CHECK_THAT(made.output, Catch::Contains("12 views, 16 groups, 24 images; ") && Catch::Contains("% of ") &&
+                              Catch::Contains("places rejected"));
+  const nlohmann::json label = read_json(out / "80x45_hfov070/cam1_lens0000/calibration.json");
+  CHECK(label["camera"]["name"] == "cam1");
+  CHECK(label["camera"]["T_vehicle_camera"][1][3].get<double>() == Approx(-0.5371));
+  const nlohmann::json description = read_json(out / "dataset.json");
+  CHECK(description["rig"].size() == 4);
+  CHECK(description["rig"][1]["T_vehicle_camera"] == label["camera"]["T_vehicle_camera"]);
+  CHECK(description["places"]["rejected_for"].contains("too_close"));
+  const auto vehicle_of =
+      [&](const std::string& camera) {  // file, part, condition, street and pose, a line each
+        std::istringstream lines(read_file(out / "80x45_hfov070" / (camera + "_lens0000") / "frames.csv"));
+        std::string vehicles;
+        for (std::string line; std::getline(lines, line);) {
+          std::size_t end = 0;
+          for (int field = 0; field < 10; ++field) end = line.find(',', end) + 1;
+          vehicles += line.substr(0, end) + "\n";
+        }
+        return vehicles;
+      };
+  CHECK(vehicle_of("cam0") == vehicle_of("cam3"));
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+  check_refused(tiny_recipe(scene, folder / "none") + " --rig none.rig", 1, "rig = none.rig");
+}
+
+TEST_CASE("one thread and two make the same bytes") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  REQUIRE(run_cps(tiny_recipe(scene, folder / "one") + " --threads 1").exit_status == 0);
+  REQUIRE(run_cps(tiny_recipe(scene, folder / "three") + " --threads 3").exit_status == 0);
+  CHECK(contents(folder / "one") == contents(folder / "three"));
+}
+
+TEST_CASE("verify says which frames.csv has no header, and ends") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  REQUIRE(run_cps(tiny_recipe(scene, out)).exit_status == 0);
+  const fs::path csv = out / "80x45_hfov060" / "front_lens0000" / "frames.csv";
+  for (const char* text : {"", "file,part\n"}) {
+    write_file(csv, std::string(text));
+    const ProgramRun run = run_cps("verify " + out.string());
+    INFO(run.output);
+    CHECK(run.exit_status == 1);
+    CHECK_THAT(run.output,
+               Catch::Contains("80x45_hfov060/front_lens0000/frames.csv: exposure: column is missing"));
+  }
+}
+
+TEST_CASE("a folder begun with another recipe is refused") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  REQUIRE(run_cps(tiny_recipe(scene, out)).exit_status == 0);
+  const ProgramRun refused = run_cps(tiny_recipe(scene, out) + " --max_zoom 2");
+  CHECK(refused.exit_status == 1);
+  CHECK_THAT(refused.output, Catch::Contains("max_zoom = 2"));
+}
+
+TEST_CASE("a drive from a file belongs to one scene, not to drawn cities as well") {
+  const TemporaryFolder folder;
+  for (const char* cities : {"--cities 1", "--city_seed 4"}) {
+    const ProgramRun run =
+        run_cps("generate --scene a.glb --size 80x45 --base_hfov_deg 60 --views 3 --route r.csv " +
+                std::string(cities) + " --out " + (folder.path / "d").string());
+    INFO(run.output);
+    CHECK(run.exit_status == 2);
+    CHECK_THAT(run.output, Catch::Contains("--route: needs a recipe with one scene and no city"));
+  }
+}
+
+TEST_CASE("every image format verifies, and has the same bytes from one thread and three") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  const std::pair<const char*, const char*> formats[] = {
+      {"png_gray", ".png"}, {"jpeg", ".jpg"}, {"exr", ".exr"}};
+  for (const auto& [format, extension] : formats) {
+    INFO(format);
+    const fs::path one = folder / (std::string(format) + "1"), three = folder / (std::string(format) + "3");
+    const std::string key = " --image_format " + std::string(format);
+    REQUIRE(run_cps(tiny_recipe(scene, one) + key + " --threads 1").exit_status == 0);
+    REQUIRE(run_cps(tiny_recipe(scene, three) + key + " --threads 3").exit_status == 0);
+    CHECK(differences(one, three) == "");
+    CHECK(fs::exists(one / "80x45_hfov060" / "front_lens0000" / ("000000" + std::string(extension))));
+    const ProgramRun verified = run_cps("verify " + one.string());
+    INFO(verified.output);
+    CHECK(verified.exit_status == 0);
+    CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
+    CHECK(run_cps("contact-sheet " + one.string() + " -o " + (folder / "sheet.png").string()).exit_status ==
+          0);
+  }
+}

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "distortion/crop/crop.h"
+#include "distortion/warp/render_noise.h"
+#include "numbers/angles.h"
+#include "random/counter_hash.h"
+#include "tests/distortion/barrel.h"
+
+using namespace cps;
+
+namespace {
+
+/// A lens that enlarges the middle and shrinks the corners, and what is needed to warp through it.
+struct Barrel {
+  Pinhole base = pinhole_from_hfov(200, 120, radians(90));
+  Distortion lens = barrel(base);
+  WarpOptions options{.box = frame_on_plane(base)};
+  Crop crop = border_free_crop(lens, base, {base.cx, base.cy});
+  Pinhole master = master_camera(base, options, crop.certificate.min_eigenvalue);
+
+  /// Independent noise of variance `variance` about 1 in every pixel.
+  OIIO::ImageBuf noise(double variance, int channels, Stream stream) const {
+    OIIO::ImageBuf image(OIIO::ImageSpec(master.width, master.height, channels, OIIO::TypeFloat));
+    auto* values = static_cast<float*>(image.localpixels());
+    for (std::size_t i = 0; i < std::size_t(master.width) * master.height * channels; ++i)
+      values[i] = float(1 + std::sqrt(variance) * random_normal(stream, i));
+    return image;
+  }
+};
+
+/// Noise in rings about the middle, from the most enlarged to the most shrunk.
+struct Rings {
+  static constexpr int count = 6;
+  double squares[count]{}, products[count]{}, sums[count]{}, pixels[count]{};
+
+  void add(const OIIO::ImageBuf& image, const Pinhole& camera) {
+    for (int y = 0; y < camera.height; ++y)
+      for (int x = 0; x + 1 < camera.width; ++x) {
+        const double radius = std::hypot(x - camera.cx, y - camera.cy) / std::hypot(camera.cx, camera.cy);
+        const int ring = std::min(count - 1, int(radius * count));
+        const double value = image.getchannel(x, y, 0, 0) - 1;
+        squares[ring] += value * value;
+        products[ring] += value * (image.getchannel(x + 1, y, 0, 0) - 1);
+        sums[ring] += value;
+        ++pixels[ring];
+      }
+  }
+  double variance(int ring) const { return squares[ring] / pixels[ring]; }
+  double neighbours(int ring) const { return products[ring] / squares[ring]; }
+  double mean(int ring) const { return sums[ring] / pixels[ring]; }
+};
+
+}  // namespace
+
+TEST_CASE("render noise has one level and one grain wherever the lens enlarges or shrinks") {
+  const Barrel b;
+  Rings even, uneven;
+  for (int i = 0; i < 80; ++i) {
+    const Stream stream = substream(make_stream(17, "noise"), i);
+    const NoisyMaster master = join_halves(b.noise(2, 1, make_stream(stream.key, "first")),
+                                           b.noise(2, 1, make_stream(stream.key, "second")));
+    even.add(warp(master, b.master, b.lens, b.crop.camera, b.options), b.base);
+    uneven.add(warp(master.picture, b.master, b.lens, b.crop.camera, b.options), b.base);
+  }
+  double variance = 0, neighbours = 0;
+  for (int ring = 0; ring < Rings::count; ++ring) {
+    variance += even.variance(ring) / Rings::count;
+    neighbours += even.neighbours(ring) / Rings::count;
+  }
+  for (int ring = 0; ring < Rings::count; ++ring) {
+    INFO("ring " << ring << ": variance " << even.variance(ring) << ", as rendered " << uneven.variance(ring)
+                 << "; correlation of neighbours " << even.neighbours(ring) << ", "
+                 << uneven.neighbours(ring));
+    // About five pixels to an independent one leave 10,000 in the smallest ring: 1.4 % of standard deviation.
+    CHECK(even.variance(ring) == Approx(variance).epsilon(0.05));
+    CHECK(even.neighbours(ring) == Approx(neighbours).margin(0.015));
+    CHECK(std::abs(even.mean(ring)) < 5 * std::sqrt(variance * 5 / even.pixels[ring]));
+  }
+  // g²/(4π(σ² − g²/12)) but for the kernel's shape.
+  CHECK(variance == Approx(0.64 / (4 * 3.14159 * (0.25 - 0.64 / 12))).epsilon(0.15));
+  CHECK(uneven.variance(0) > 2 * uneven.variance(Rings::count - 1));
+}
+
+TEST_CASE("of equal halves comes what the warp makes of their mean") {
+  const Barrel b;
+  const Stream stream = make_stream(18, "picture");
+  const OIIO::ImageBuf half = b.noise(0.1, 3, stream);
+  const auto image = warp(join_halves(half, half), b.master, b.lens, b.crop.camera, b.options);
+  const auto expected = warp(half, b.master, b.lens, b.crop.camera, b.options);
+  for (int y = 0; y < b.base.height; ++y)
+    for (int x = 0; x < b.base.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        REQUIRE(image.getchannel(x, y, 0, c) == Approx(expected.getchannel(x, y, 0, c)).epsilon(1e-6));
+}
+
+TEST_CASE("halves that do not belong together are refused") {
+  const Barrel b;
+  const Stream stream = make_stream(19, "picture");
+  CHECK_THROWS_WITH(join_halves(b.noise(1, 1, stream), b.noise(1, 3, stream)),
+                    Catch::Contains("halves differ"));
+  const NoisyMaster master = join_halves(b.noise(1, 1, stream), b.noise(1, 1, stream));
+  WarpOptions options = b.options;
+  options.resampling = Resampling::nearest;
+  CHECK_THROWS_WITH(warp(master, b.master, b.lens, b.crop.camera, options), Catch::Contains("averaged"));
+}

@@ -1,0 +1,122 @@
+#include <catch2/catch.hpp>
+
+#include "files/files.h"
+#include "numbers/angles.h"
+#include "tests/temporary_folder.h"
+#include "tests/trainer/street.h"
+#include "trainer/evaluation/evaluate.h"
+#include "trainer/evaluation/predict.h"
+#include "trainer/training/samples.h"
+#include "trainer/training/train.h"
+
+using namespace cps;
+
+namespace {
+
+Predictor briefly_trained(const Dataset& dataset, const std::filesystem::path& model) {
+  TrainOptions options;
+  options.reduction.width = 48;
+  options.epochs = 2;
+  options.batch_size = 8;
+  train(dataset, model, options, false, {});
+  return Predictor(model);
+}
+
+}  // namespace
+
+TEST_CASE("a trained model is loaded, measured and asked, and says the same each time") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(
+      folder.path / "data",
+      {.sizes = {{96, 54}, {80, 64}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
+  const Predictor predictor = briefly_trained(dataset, folder.path / "model");
+
+  const Evaluation evaluation =
+      evaluate(predictor, evaluation_set(dataset, Part::test), {.resamples = 50, .robustness = true});
+  const std::vector<int> images = images_of(dataset, Part::test);
+  CHECK(evaluation.network.images == static_cast<int>(images.size()));
+
+  // Beside the table: the same errors from single predictions, and the baseline by hand.
+  double hfov_deg = 0, reprojection_px = 0, baseline_deg = 0, mean_rad = 0;
+  const std::vector<int> training = images_of(dataset, Part::train);
+  for (int i : training)
+    mean_rad += hfov_rad(dataset.groups[dataset.images[i].group].label.camera) / training.size();
+  for (int i : images) {
+    const std::vector<std::filesystem::path> file{dataset.root / dataset.images[i].file};
+    const ImagePrediction prediction = predict_images(predictor, file).at(0);
+    const double truth = hfov_rad(dataset.groups[dataset.images[i].group].label.camera);
+    REQUIRE(prediction.truth);
+    CHECK(hfov_rad(prediction.truth->camera) == Approx(truth));
+    REQUIRE(prediction.reprojection_px);
+    hfov_deg += degrees(std::abs(prediction.raw[0] - truth)) / images.size();
+    reprojection_px += *prediction.reprojection_px / images.size();
+    baseline_deg += degrees(std::abs(mean_rad - truth)) / images.size();
+  }
+  CHECK(evaluation.network.hfov_mean_deg == Approx(hfov_deg).epsilon(1e-4));
+  CHECK(evaluation.network.reprojection_mean_px == Approx(reprojection_px).epsilon(1e-3));
+  CHECK(evaluation.training_mean.hfov_mean_deg == Approx(baseline_deg).epsilon(1e-9));
+  CHECK(evaluation.centre.hfov_mean_deg == Approx(baseline_deg).epsilon(1e-9));
+  CHECK(evaluation.centre.raw_mae[1] > 0);
+
+  const Evaluation again = evaluate(Predictor(folder.path / "model"), evaluation_set(dataset, Part::test),
+                                    {.resamples = 50, .robustness = true});
+  CHECK(to_json(again).dump() == to_json(evaluation).dump());
+
+  // Bins of one kind hold every image once; the first row of the table of robustness is the table above it.
+  for (const char* kind : {"H-FOV", "size", "camera"}) {
+    int members = 0;
+    double sum = 0;
+    for (const EvaluationBin& bin : evaluation.bins)
+      if (bin.kind == kind) {
+        members += bin.images;
+        sum += bin.images * bin.network.hfov_mean_deg;
+      }
+    CHECK(members == evaluation.network.images);
+    CHECK(sum / members == Approx(evaluation.network.hfov_mean_deg));
+  }
+  REQUIRE(evaluation.robustness.size() == 9);
+  CHECK(evaluation.robustness[0].hfov_mean_deg == Approx(evaluation.network.hfov_mean_deg).epsilon(1e-6));
+  CHECK(evaluation.headline.hfov_mean_deg.interval.low <= evaluation.network.hfov_mean_deg);
+  CHECK(evaluation.headline.hfov_mean_deg.interval.high >= evaluation.network.hfov_mean_deg);
+
+  const std::string page = to_html(evaluation);
+  CHECK_THAT(page, Catch::Contains("<svg") && Catch::Contains("data:image/png;base64,iVBOR") &&
+                       Catch::Contains("Gaussian blur, 2 px") && !Catch::Contains("<script"));
+
+  // A picture that cannot be read is named, and refused or left out.
+  const std::filesystem::path spoilt = dataset.root / dataset.images[images[0]].file;
+  write_file(spoilt, std::string_view("no picture"));
+  CHECK_THROWS_WITH(evaluate(predictor, evaluation_set(dataset, Part::test)),
+                    Catch::StartsWith(spoilt.string()));
+  const Evaluation rest =
+      evaluate(predictor, evaluation_set(dataset, Part::test), {.resamples = 0, .skip_bad_images = true});
+  CHECK(rest.network.images == static_cast<int>(images.size()) - 1);
+  REQUIRE(rest.skipped.size() == 1);
+  CHECK_THAT(rest.skipped[0], Catch::StartsWith(spoilt.string()));
+}
+
+TEST_CASE("a prediction has a spread that is the same each time, and a certified lens") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(
+      folder.path / "data",
+      {.sizes = {{96, 54}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 2});
+  const Predictor predictor = briefly_trained(dataset, folder.path / "model");
+  const std::vector<std::filesystem::path> file{dataset.root / dataset.images[0].file};
+  const ImagePrediction one = predict_images(predictor, file).at(0),
+                        again = predict_images(predictor, file).at(0);
+  CHECK(one.spread == again.spread);
+  for (double s : one.spread) CHECK(s > 0);
+  REQUIRE(one.certified);
+  CHECK(is_one_to_one(one.certified->calibration));
+  const ImagePrediction plain = predict_images(predictor, file, {.looks = 0}).at(0);
+  CHECK(plain.spread == Outputs{});
+  CHECK(plain.raw == one.raw);
+  CHECK_THAT(report(std::vector{one}), Catch::Contains("spread"));
+  CHECK_THAT(report(std::vector{plain}), !Catch::Contains("spread"));
+  CHECK(to_json(std::vector{one}).at(0).at("certified").at("kept") <= 1);
+}
+
+TEST_CASE("a folder that is no model is refused in one line") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_WITH(Predictor(folder.path), Catch::StartsWith((folder.path / "model.json").string() + ": "));
+}

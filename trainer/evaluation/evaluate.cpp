@@ -1,0 +1,167 @@
+#include "trainer/evaluation/evaluate.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "numbers/angles.h"
+#include "trainer/evaluation/bootstrap.h"
+
+namespace cps {
+namespace {
+
+/// The set's images as the network takes them. Those that cannot be read leave the set, with a line in
+/// `skipped`, or are an error.
+std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reduction, bool skip_bad,
+                                   std::vector<std::string>& skipped) {
+  std::vector<std::optional<GrayImage>> read(set.images.size());
+  std::vector<std::string> failures(set.images.size());
+  tbb::parallel_for(std::size_t{0}, set.images.size(), [&](std::size_t i) {
+    try {
+      const EvaluationImage& image = set.images[i];
+      const GrayImage gray = read_gray_image(image.file);
+      const Pinhole& camera = image.truth.camera;
+      if (gray.size != ImageSize{camera.width, camera.height})
+        throw std::runtime_error(image.file.string() + ": is " + std::to_string(gray.size.width) + "x" +
+                                 std::to_string(gray.size.height) + ", but its calibration is of " +
+                                 std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+                                 " pixels");
+      read[i] = area_average(gray, reduced_size(gray.size, reduction));
+    } catch (const std::exception& error) {
+      failures[i] = error.what();
+    }
+  });
+  EvaluationSet kept{.name = set.name, .images = {}};
+  std::vector<GrayImage> images;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (!read[i] && !skip_bad) throw std::runtime_error(failures[i]);
+    if (!read[i]) {
+      skipped.push_back(failures[i]);
+      continue;
+    }
+    kept.images.push_back(set.images[i]);
+    images.push_back(std::move(*read[i]));
+  }
+  set = std::move(kept);
+  return images;
+}
+
+Outputs centred_without_distortion(double fov, const Pinhole& camera) {
+  return to_outputs({pinhole_from_hfov(camera.width, camera.height, fov), {}}, TargetSpace::raw);
+}
+
+std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSet& set,
+                                  const std::vector<GrayImage>& images) {
+  const ModelCard& card = predictor.card();
+  const TargetSpace space = card.options.target_space;
+  std::vector<BatchImage> batch;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Pinhole& camera = set.images[i].truth.camera;
+    batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
+  }
+  const std::vector<Outputs> said = predictor(batch);
+  std::vector<EvaluatedImage> judged(set.images.size());
+  tbb::parallel_for(std::size_t{0}, judged.size(), [&](std::size_t i) {
+    const EvaluationImage& image = set.images[i];
+    const Pinhole& camera = image.truth.camera;
+    const auto raw = [&](const Outputs& outputs) {
+      return convert(outputs, space, TargetSpace::raw, camera.width, camera.height);
+    };
+    const auto errors = [&](const Outputs& outputs) {
+      return image_errors({&image.truth, image.rays.get(), outputs});
+    };
+    judged[i] = {image, raw(said[i]), errors(raw(said[i])), errors(raw(card.targets.mean)),
+                 errors(centred_without_distortion(card.targets.mean[0], camera))};
+  });
+  return judged;
+}
+
+/// Of the chosen images; repeated ones count again.
+LensErrors summary_of(const std::vector<EvaluatedImage>& images, std::span<const int> chosen,
+                      ImageErrors EvaluatedImage::*of) {
+  std::vector<ImageErrors> errors;
+  std::vector<double> fov;
+  for (int i : chosen) {
+    errors.push_back(images[i].*of);
+    fov.push_back(hfov_rad(images[i].image.truth.camera));
+  }
+  return summarise(errors, fov);
+}
+
+Headline headline(const std::vector<EvaluatedImage>& images, std::span<const int> all,
+                  const EvaluationOptions& options) {
+  std::vector<int> clusters;
+  for (const EvaluatedImage& image : images) clusters.push_back(image.image.cluster);
+  const auto numbers = [&](std::span<const int> chosen) {
+    const LensErrors network = summary_of(images, chosen, &EvaluatedImage::network),
+                     mean = summary_of(images, chosen, &EvaluatedImage::training_mean);
+    return std::vector{network.hfov_mean_deg,
+                       network.hfov_median_deg,
+                       network.hfov_correlation,
+                       network.reprojection_mean_px,
+                       network.reprojection_median_px,
+                       network.hfov_mean_deg / mean.hfov_mean_deg,
+                       network.reprojection_mean_px / mean.reprojection_mean_px};
+  };
+  const std::vector<double> value = numbers(all);
+  const std::vector<Interval> interval =
+      bootstrap_intervals(clusters, numbers, options.resamples, make_stream(options.seed, "bootstrap"));
+  const auto estimate = [&](int i) { return Estimate{value[i], interval[i]}; };
+  return {estimate(0), estimate(1), estimate(2), estimate(3), estimate(4), estimate(5), estimate(6)};
+}
+
+std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
+  std::map<std::pair<int, std::string>, std::vector<int>> members;  // kind, name
+  for (int i = 0; i < static_cast<int>(images.size()); ++i) {
+    const EvaluationImage& image = images[i].image;
+    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.camera)) / 10)) * 10;
+    char range[32];
+    std::snprintf(range, sizeof range, "%3d to %3d deg", tens, tens + 10);
+    members[{0, range}].push_back(i);
+    members[{1, std::to_string(image.truth.camera.width) + "x" + std::to_string(image.truth.camera.height)}]
+        .push_back(i);
+    members[{2, image.camera}].push_back(i);
+  }
+  static constexpr std::array kinds{"H-FOV", "size", "camera"};
+  std::vector<EvaluationBin> bins;
+  for (const auto& [key, chosen] : members)
+    bins.push_back({kinds[key.first], key.second, static_cast<int>(chosen.size()),
+                    summary_of(images, chosen, &EvaluatedImage::network),
+                    summary_of(images, chosen, &EvaluatedImage::training_mean)});
+  return bins;
+}
+
+}  // namespace
+
+bool EvaluationOptions::is_valid(std::string* why) const {
+  if (resamples >= 0 && resamples <= 1'000'000) return true;
+  if (why) *why = "bootstrap: must lie in [0, 1000000]";
+  return false;
+}
+
+Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
+                    const EvaluationOptions& options) {
+  Evaluation result;
+  EvaluationSet set = whole;
+  const std::vector<GrayImage> images =
+      read_images(set, predictor.card().options.reduction, options.skip_bad_images, result.skipped);
+  if (images.empty()) throw std::runtime_error(set.name + ": no image is left to measure");
+  result.set = set.name;
+  result.images = judge(predictor, set, images);
+  std::vector<int> all(result.images.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  result.network = summary_of(result.images, all, &EvaluatedImage::network);
+  result.training_mean = summary_of(result.images, all, &EvaluatedImage::training_mean);
+  result.centre = summary_of(result.images, all, &EvaluatedImage::centre);
+  result.headline = headline(result.images, all, options);
+  result.bins = bins_of(result.images);
+  if (options.robustness) result.robustness = robustness(predictor, set, images, options.seed);
+  return result;
+}
+
+}  // namespace cps

@@ -1,0 +1,79 @@
+#include "trainer/images/master_cache.h"
+
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include "dataset/job/master_file.h"
+#include "sensor/develop.h"
+
+namespace cps {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t plane_bytes(const Pinhole& camera) {
+  return static_cast<std::size_t>(camera.width) * camera.height * sizeof(std::uint16_t);
+}
+
+/// What the pixels depend on.
+std::string cache_key(const std::vector<KeptMaster>& masters) {
+  std::string key = "cps gray masters 1\n";
+  for (const KeptMaster& m : masters)
+    key += m.file.string() + " " + m.sha256 + " " + std::to_string(m.camera.width) + "x" +
+           std::to_string(m.camera.height) + "\n";
+  return key;
+}
+
+/// As half floats: rows of the picture, then of the noise.
+void read_gray(const fs::path& file, const Pinhole& camera, std::span<std::uint8_t> out) {
+  const NoisyMaster master = read_master(file);
+  const OIIO::ImageSpec& spec = master.picture.spec();
+  if (spec.width != camera.width || spec.height != camera.height)
+    throw std::runtime_error(file.string() +
+                             ": is not of the size that masters.csv says: make the dataset again");
+  for (const OIIO::ImageBuf* plane : {&master.picture, &master.noise}) {
+    const OIIO::ImageBuf gray = luminance(*plane);
+    gray.get_pixels(gray.roi(), OIIO::TypeDesc::HALF, out.data());
+    out = out.subspan(plane_bytes(camera));
+  }
+}
+
+}  // namespace
+
+NoisyMaster MasterCache::gray(int i) const {
+  const Pinhole& camera = masters[i].camera;
+  const auto plane = [&](std::size_t offset) {
+    const OIIO::ImageSpec half(camera.width, camera.height, 1, OIIO::TypeDesc::HALF);
+    // Only read from.
+    const OIIO::ImageBuf mapped(half, const_cast<std::uint8_t*>(pixels.blobs[i].data() + offset));
+    return mapped.copy(OIIO::TypeDesc::FLOAT);
+  };
+  return {.picture = plane(0), .noise = plane(plane_bytes(camera))};
+}
+
+MasterCache load_master_cache(const fs::path& dataset, Part part, bool skip_bad, const fs::path& file) {
+  MasterCache cache;
+  for (KeptMaster& master : read_masters(dataset))
+    if (master.part == part) cache.masters.push_back(std::move(master));
+  while (!cache.masters.empty()) try {
+      std::vector<std::size_t> sizes;
+      for (const KeptMaster& m : cache.masters) sizes.push_back(2 * plane_bytes(m.camera));
+      cache.pixels = load_blob_cache(
+          cache_key(cache.masters), sizes,
+          [&](std::size_t i, std::span<std::uint8_t> out) {
+            read_gray(dataset / cache.masters[i].file, cache.masters[i].camera, out);
+          },
+          file);
+      return cache;
+    } catch (const BadBlobs& bad) {
+      if (!skip_bad) throw;
+      leave_out(bad, cache.masters, cache.skipped);
+    }
+  throw std::runtime_error((dataset / "masters.csv").string() + ": lists no master of the " +
+                           to_string(part) + " part that can be used");
+}
+
+}  // namespace cps

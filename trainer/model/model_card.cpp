@@ -1,0 +1,60 @@
+#include "trainer/model/model_card.h"
+
+#include <stdexcept>
+
+#include "files/files.h"
+
+namespace cps {
+namespace {
+
+constexpr int model_schema = 2;
+
+}  // namespace
+
+void save_model_card(const ModelCard& card, const std::filesystem::path& model_folder) {
+  const nlohmann::ordered_json json{
+      {"schema", model_schema},
+      {"options", to_json(card.options)},
+      {"input",
+       {{"channels", "gray"}, {"pixel_mean", card.pixels.mean}, {"pixel_deviation", card.pixels.deviation}}},
+      {"outputs",
+       {{"names", output_names}, {"mean", card.targets.mean}, {"deviation", card.targets.deviation}}},
+      {"dataset",
+       {{"folder", card.dataset},
+        {"hash", card.dataset_hash},
+        {"training_images", card.training_images},
+        {"validation_images", card.validation_images}}},
+      {"epoch", card.epoch},
+      {"validation_loss", card.validation_loss}};
+  write_json(model_folder / "model.json", json);
+}
+
+ModelCard load_model_card(const std::filesystem::path& model_folder) {
+  const std::filesystem::path file = model_folder / "model.json";
+  if (!std::filesystem::exists(file))
+    throw std::runtime_error(file.string() + ": is missing: name a folder that cps train has written");
+  const nlohmann::json json = read_json(file);
+  try {
+    if (json.at("schema") != model_schema)
+      throw std::runtime_error("schema is not " + std::to_string(model_schema));
+    ModelCard card;
+    card.options = train_options_from_json(json.at("options"));
+    json.at("input").at("pixel_mean").get_to(card.pixels.mean);
+    json.at("input").at("pixel_deviation").get_to(card.pixels.deviation);
+    json.at("outputs").at("mean").get_to(card.targets.mean);
+    json.at("outputs").at("deviation").get_to(card.targets.deviation);
+    json.at("dataset").at("folder").get_to(card.dataset);
+    json.at("dataset").at("hash").get_to(card.dataset_hash);
+    json.at("dataset").at("training_images").get_to(card.training_images);
+    json.at("dataset").at("validation_images").get_to(card.validation_images);
+    json.at("epoch").get_to(card.epoch);
+    json.at("validation_loss").get_to(card.validation_loss);
+    std::string why;
+    if (!card.options.is_valid(&why)) throw std::runtime_error(why);
+    return card;
+  } catch (const std::exception& e) {
+    throw std::runtime_error(file.string() + ": " + e.what() + ": restore the file or train again");
+  }
+}
+
+}  // namespace cps

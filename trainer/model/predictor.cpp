@@ -1,0 +1,22 @@
+#include "trainer/model/predictor.h"
+
+#include "trainer/network/inference.h"
+#include "trainer/training/training_state.h"
+
+namespace cps {
+
+Predictor::Predictor(const std::filesystem::path& model_folder, Device device)
+    : card_(load_model_card(model_folder)) {
+  network_ = make_resnet(*find_architecture(card_.options.architecture), network_options(card_.options));
+  const std::filesystem::path file = model_folder / "weights.pt";
+  set_weights(*network_, load_tensors(file), file);
+  network_->to(to_torch(device));
+}
+
+std::vector<Outputs> Predictor::operator()(std::span<const BatchImage> images) const {
+  std::vector<Outputs> said = run_network(*network_, images, card_.pixels, card_.options.batch_size);
+  for (Outputs& outputs : said) outputs = unstandardise(outputs, card_.targets);
+  return said;
+}
+
+}  // namespace cps

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "trainer/images/batches.h"
+#include "trainer/model/model_card.h"
+#include "trainer/network/device.h"
+
+namespace cps {
+
+struct Network;
+
+/// A trained network, read from its model folder.
+class Predictor {
+ public:
+  /// Throws std::runtime_error with one line when the folder holds no whole model.
+  explicit Predictor(const std::filesystem::path& model_folder, Device device = Device::cpu);
+
+  const ModelCard& card() const { return card_; }
+
+  /// What the network says of each image, in the model's target space and natural units, in order. The images
+  /// must have been reduced by card().options.reduction; their sizes may differ.
+  std::vector<Outputs> operator()(std::span<const BatchImage> images) const;
+
+ private:
+  ModelCard card_;
+  std::shared_ptr<Network> network_;
+};
+
+}  // namespace cps

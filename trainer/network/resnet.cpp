@@ -1,0 +1,135 @@
+#include "trainer/network/resnet.h"
+
+#include <torch/nn/init.h>
+#include <torch/nn/modules/batchnorm.h>
+#include <torch/nn/modules/container/sequential.h>
+#include <torch/nn/modules/conv.h>
+#include <torch/nn/modules/linear.h>
+
+#include "trainer/calibration/targets.h"
+#include "trainer/network/edges.h"
+
+namespace cps {
+namespace {
+
+namespace nn = torch::nn;
+using torch::Tensor;
+
+nn::Conv2d convolution(int in, int out, int kernel, int stride) {
+  return nn::Conv2d(nn::Conv2dOptions(in, out, kernel).stride(stride).padding(kernel / 2).bias(false));
+}
+
+/// What the shortcut does where the shape changes; empty where it does not.
+nn::Sequential projection(int in, int out, int stride) {
+  if (stride == 1 && in == out) return nullptr;
+  return nn::Sequential(convolution(in, out, 1, stride), nn::BatchNorm2d(out));
+}
+
+struct BasicBlock final : nn::Module {
+  static constexpr int expansion = 1;
+  nn::Conv2d conv1, conv2;
+  nn::BatchNorm2d bn1, bn2;
+  nn::Sequential downsample;
+
+  BasicBlock(int in, int channels, int stride)
+      : conv1(convolution(in, channels, 3, stride)),
+        conv2(convolution(channels, channels, 3, 1)),
+        bn1(channels),
+        bn2(channels),
+        downsample(projection(in, channels, stride)) {
+    register_module("conv1", conv1);
+    register_module("bn1", bn1);
+    register_module("conv2", conv2);
+    register_module("bn2", bn2);
+    if (downsample) register_module("downsample", downsample);
+    nn::init::zeros_(bn2->weight);  // the block starts as the identity (Goyal et al. 2017)
+  }
+
+  Tensor forward(const Tensor& x) {
+    const Tensor residual = bn2(conv2(bn1(conv1(x)).relu_()));
+    return residual.add_(downsample ? downsample->forward(x) : x).relu_();
+  }
+};
+
+struct Bottleneck final : nn::Module {
+  static constexpr int expansion = 4;
+  nn::Conv2d conv1, conv2, conv3;
+  nn::BatchNorm2d bn1, bn2, bn3;
+  nn::Sequential downsample;
+
+  Bottleneck(int in, int channels, int stride)
+      : conv1(convolution(in, channels, 1, 1)),
+        conv2(convolution(channels, channels, 3, stride)),
+        conv3(convolution(channels, expansion * channels, 1, 1)),
+        bn1(channels),
+        bn2(channels),
+        bn3(expansion * channels),
+        downsample(projection(in, expansion * channels, stride)) {
+    register_module("conv1", conv1);
+    register_module("bn1", bn1);
+    register_module("conv2", conv2);
+    register_module("bn2", bn2);
+    register_module("conv3", conv3);
+    register_module("bn3", bn3);
+    if (downsample) register_module("downsample", downsample);
+    nn::init::zeros_(bn3->weight);
+  }
+
+  Tensor forward(const Tensor& x) {
+    const Tensor residual = bn3(conv3(torch::relu(bn2(conv2(bn1(conv1(x)).relu_())))));
+    return residual.add_(downsample ? downsample->forward(x) : x).relu_();
+  }
+};
+
+template <typename Block>
+struct ResNet final : Network {
+  nn::Conv2d conv1;
+  nn::BatchNorm2d bn1;
+  std::array<nn::Sequential, 4> layers;
+  nn::Linear fc;
+  bool max_pool;
+  NetworkOptions options;
+
+  ResNet(const Architecture& architecture, const NetworkOptions& options)
+      : conv1(nn::Conv2dOptions(options.edge_channel ? 2 : 1, 64, 7).stride(2).padding(3).bias(false)),
+        bn1(64),
+        fc(512 * Block::expansion + (options.size_features ? 2 : 0), output_count),
+        max_pool(architecture.max_pool),
+        options(options) {
+    register_module("conv1", conv1);
+    register_module("bn1", bn1);
+    int in = 64;
+    for (int i = 0; i < 4; ++i) {
+      const int channels = 64 << i;
+      for (int b = 0; b < architecture.blocks[i]; ++b) {
+        layers[i]->push_back(Block(in, channels, b == 0 && i > 0 ? 2 : 1));
+        in = channels * Block::expansion;
+      }
+      register_module("layer" + std::to_string(i + 1), layers[i]);
+    }
+    register_module("fc", fc);
+    for (auto& module : modules(false))
+      if (auto* convolution = module->as<nn::Conv2d>())
+        nn::init::kaiming_normal_(convolution->weight, 0, torch::kFanOut, torch::kReLU);
+    nn::init::zeros_(fc->weight);
+    nn::init::zeros_(fc->bias);
+  }
+
+  Tensor forward(const Tensor& images, const Tensor& sizes) override {
+    Tensor x = bn1(conv1(options.edge_channel ? with_sobel_edges(images) : images)).relu_();
+    if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
+    for (nn::Sequential& layer : layers) x = layer->forward(x);
+    x = x.mean({2, 3});
+    if (options.size_features) x = torch::cat({x, sizes}, 1);
+    return fc(torch::dropout(x, options.dropout, is_training()));
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options) {
+  if (architecture.bottleneck) return std::make_shared<ResNet<Bottleneck>>(architecture, options);
+  return std::make_shared<ResNet<BasicBlock>>(architecture, options);
+}
+
+}  // namespace cps

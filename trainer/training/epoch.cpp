@@ -1,0 +1,148 @@
+#include "trainer/training/epoch.h"
+
+#include <torch/nn/utils/clip_grad.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "numbers/angles.h"
+#include "random/counter_hash.h"
+#include "trainer/images/batches.h"
+#include "trainer/network/inference.h"
+#include "trainer/training/batch_loss.h"
+#include "trainer/training/distillation.h"
+#include "trainer/training/step_sums.h"
+
+namespace cps {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+BatchTruth truth_of(const std::vector<ShownImage>& shown) {
+  BatchTruth truth{.size = shown.front().original, .targets = {}, .rays = {}};
+  for (const ShownImage& image : shown) {
+    truth.targets.push_back(image.target);
+    if (image.rays) truth.rays.push_back(image.rays);
+  }
+  return truth;
+}
+
+BatchTruth truth_of(const Samples& samples, const Batch& batch) {
+  BatchTruth truth{.size = samples.cache.originals[batch.front()], .targets = {}, .rays = {}};
+  for (int i : batch) {
+    truth.targets.push_back(samples.targets[i]);
+    if (!samples.rays.empty()) truth.rays.push_back(samples.rays[i]);
+  }
+  return truth;
+}
+
+/// Of the outputs that are learned.
+double cosine_similarity(const Outputs& a, const Outputs& b, const std::vector<int>& learned) {
+  double ab = 0, aa = 0, bb = 0;
+  for (int i : learned) {
+    ab += a[i] * b[i];
+    aa += a[i] * a[i];
+    bb += b[i] * b[i];
+  }
+  return ab / std::max(std::sqrt(aa * bb), 1e-12);
+}
+
+std::vector<int> learned_outputs(const TrainOptions& options) {
+  std::vector<int> learned;
+  for (int i = 0; i < output_count; ++i)
+    if (std::ranges::find(options.outputs, output_names[i]) != options.outputs.end()) learned.push_back(i);
+  return learned;
+}
+
+torch::Tensor tensor_of(const std::vector<Outputs>& said, const Batch& batch) {
+  torch::Tensor tensor = torch::empty({static_cast<long>(batch.size()), output_count});
+  float* out = tensor.data_ptr<float>();
+  for (int i : batch)
+    for (double v : said[i]) *out++ = static_cast<float>(v);
+  return tensor;
+}
+
+}  // namespace
+
+void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
+                 const Predictor* teacher, const Ranks& ranks, EpochReport& report) {
+  const TrainOptions& options = card.options;
+  const auto start = Clock::now();
+  state.network->train();
+  const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
+  const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);
+  const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
+  const torch::Device device = state.network->device();
+  std::vector<torch::Tensor> parameters = state.network->parameters();
+  double loss_sum = 0, loader_seconds = 0;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const double progress = report.epoch - 1 + (step + 1.0) / steps;
+    report.learning_rate = learning_rate_at(options, progress, state.planned_epochs);
+    static_cast<torch::optim::AdamWOptions&>(state.optimizer->param_groups()[0].options())
+        .lr(report.learning_rate);
+
+    std::optional<StepSums> sums;  // several processes share out several batches
+    if (per_step > 1) sums.emplace(*state.network);
+    const std::size_t end = std::min(batches.size(), (step + 1) * per_step);
+    for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
+      if (sums) sums->begin_batch();
+      torch::manual_seed(random_bits(noise, b));
+      const auto loading = Clock::now();
+      const std::vector<ShownImage> shown = show(set, batches[b], options, report.epoch);
+      const std::vector<BatchImage> images = network_images(shown);
+      const torch::Tensor pixels = image_tensor(images, card.pixels);
+      loader_seconds += seconds_since(loading);
+      const torch::Tensor said = state.network->forward(pixels.to(device), size_tensor(images).to(device));
+      torch::Tensor loss = batch_loss(said, truth_of(shown), card);
+      if (teacher) {
+        const double share = options.teacher_weight;
+        loss = loss * (1 - share) + distillation_loss(said, *teacher, images, card) * share;
+      }
+      // Not zeros: backward() would have to be added to them.
+      for (torch::Tensor& parameter : parameters) parameter.mutable_grad().reset();
+      loss.backward();
+      const double loss_of_images = loss.item<double>() * static_cast<double>(batches[b].size());
+      if (sums)
+        sums->add_batch(loss_of_images);
+      else
+        loss_sum += loss_of_images;
+    }
+    if (sums) loss_sum += sums->finish(ranks);
+    if (options.max_gradient > 0) torch::nn::utils::clip_grad_norm_(parameters, options.max_gradient);
+    state.optimizer->step();
+    ++state.steps;
+    update_average(state, options.ema_decay);
+  }
+  const double images = static_cast<double>(set.originals.size());
+  report.training_loss = loss_sum / images;
+  const double seconds = seconds_since(start);
+  report.images_per_second = images / seconds;
+  report.loader_share = loader_seconds / seconds;
+}
+
+void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
+  std::vector<BatchImage> images;
+  for (std::size_t i = 0; i < samples.targets.size(); ++i)
+    images.push_back({samples.cache.images[i], samples.cache.originals[i]});
+  const std::vector<Outputs> said = run_network(network, images, card.pixels, card.options.batch_size);
+  const double n = static_cast<double>(said.size());
+  for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
+    report.validation_loss +=
+        batch_loss(tensor_of(said, batch), truth_of(samples, batch), card).item<double>() *
+        static_cast<double>(batch.size()) / n;
+  const std::vector<int> learned = learned_outputs(card.options);
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    const Outputs truth = standardise(samples.targets[i], card.targets);
+    report.validation_cosine += cosine_similarity(said[i], truth, learned) / n;
+    report.validation_hfov_mae_deg +=
+        degrees(std::abs(said[i][0] - truth[0]) * card.targets.deviation[0]) / n;
+  }
+}
+
+}  // namespace cps

@@ -1,0 +1,74 @@
+#include "trainer/training/samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "trainer/images/blob_cache.h"
+#include "trainer/images/mirror.h"
+
+namespace cps {
+
+std::vector<int> images_of(const Dataset& dataset, Part part) {
+  std::vector<int> images;
+  for (int i = 0; i < static_cast<int>(dataset.images.size()); ++i)
+    if (dataset.images[i].part == part) images.push_back(i);
+  return images;
+}
+
+namespace {
+
+/// The images' pixels. Those that cannot be used leave `images`, if they may.
+ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const SampleOptions& options,
+                         const std::filesystem::path& cache_file, std::vector<std::string>& skipped) {
+  for (;;) try {
+      return load_image_cache(dataset, images, options.reduction, cache_file);
+    } catch (const BadBlobs& bad) {
+      if (!options.skip_bad_images || bad.positions.size() == images.size()) throw;
+      leave_out(bad, images, skipped);
+    }
+}
+
+/// One grid for all images of a group.
+void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& images) {
+  std::map<int, std::array<std::shared_ptr<const RayGrid>, 2>> of_group;
+  for (int i : images) {
+    const int group = dataset.images[i].group;
+    auto& grids = of_group[group];
+    if (!grids[0]) {
+      const DatasetGroup& g = dataset.groups[group];
+      const std::string label = (dataset.root / g.folder / "calibration.json").string();
+      const Calibration calibration{g.label.camera, g.label.distortion};
+      const Eigen::AlignedBox2d shape = frame_on_plane(base_of(g.label));  // the same mirrored
+      grids = {loss_rays(calibration, shape, label), loss_rays(mirrored(calibration), shape, label)};
+    }
+    samples.rays.push_back(grids[0]);
+    samples.mirrored_rays.push_back(grids[1]);
+  }
+}
+
+}  // namespace
+
+Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
+                     const std::filesystem::path& cache_file) {
+  std::vector<int> images = images_of(dataset, part);
+  if (images.empty())
+    throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
+                             ": lists no image: make a dataset with more places or routes");
+  Samples samples;
+  samples.cache = usable_images(dataset, images, options, cache_file, samples.skipped);
+  for (int i : images) {
+    const DatasetGroup& group = dataset.groups[dataset.images[i].group];
+    const Calibration calibration{group.label.camera, group.label.distortion};
+    samples.targets.push_back(to_outputs(calibration, options.space));
+    samples.mirrored_targets.push_back(to_outputs(mirrored(calibration), options.space));
+    if (!std::ranges::all_of(samples.targets.back(), [](double v) { return std::isfinite(v); }))
+      throw std::runtime_error((dataset.root / group.folder / "calibration.json").string() +
+                               ": holds a number that is not finite: make this group again");
+  }
+  if (options.with_rays) add_rays(samples, dataset, images);
+  return samples;
+}
+
+}  // namespace cps
