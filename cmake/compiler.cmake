@@ -9,6 +9,8 @@ endif()
 # One instruction set for every machine and no contraction of a*b+c into fma: a recipe's bytes
 # must not depend on which node of a farm rendered them.
 add_compile_options(-march=x86-64-v3 -ffp-contract=off -Wall -Wextra)
+# Neither changes a result; both let loops with square roots and conditions become vector instructions.
+add_compile_options(-fno-math-errno -fno-trapping-math)
 
 option(CPS_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 if(CPS_SANITIZE)

@@ -4,6 +4,7 @@
 
 #include "scenes/city/draws.h"
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/noise.h"
 
 namespace cps::city {
 namespace {
