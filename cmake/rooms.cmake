@@ -16,19 +16,33 @@ function(cps_room name)
   endif()
 endfunction()
 
-# cps_test(NAME SOURCES … LINK … [SLOW]): one Catch2 program per room. SLOW adds the cases tagged
-# [slow] as a second test, labelled slow, that only `./dev test --all` runs.
+# Everything that ctest runs; `all` also builds the benchmarks.
+add_custom_target(cps_tests)
+add_custom_target(cps_benches)
+
+# cps_test(NAME SOURCES … LINK … [SLOW_MINUTES n]): one Catch2 program per room. SLOW_MINUTES adds the cases tagged [slow]
+# as a second test, labelled `slow`, which only `./dev test --all` runs, and states how long it takes on two cores: ctest's
+# closing table shows the stated minutes beside the measured time.
 function(cps_test name)
-  cmake_parse_arguments(TEST "SLOW;OWN_HEADERS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "OWN_HEADERS" "SLOW_MINUTES" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
   target_link_libraries(test_${name} PRIVATE cps_catch_main ${TEST_LINK})
   if(NOT TEST_OWN_HEADERS)
     target_precompile_headers(test_${name} REUSE_FROM cps_test_headers)
   endif()
+  add_dependencies(cps_tests test_${name})
   add_test(NAME ${name} COMMAND test_${name} "~[slow]" --warn NoTests)
   set_tests_properties(${name} PROPERTIES TIMEOUT 900)
-  if(TEST_SLOW)
+  if(TEST_SLOW_MINUTES)
     add_test(NAME ${name}_slow COMMAND test_${name} "[slow]" --warn NoTests)
-    set_tests_properties(${name}_slow PROPERTIES LABELS slow TIMEOUT 7200)
+    set_tests_properties(${name}_slow PROPERTIES LABELS "slow;${name} states ${TEST_SLOW_MINUTES} min" TIMEOUT 7200)
   endif()
+endfunction()
+
+# cps_bench(NAME SOURCES … LINK …): one program of the benchmarks.
+function(cps_bench name)
+  cmake_parse_arguments(BENCH "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${BENCH_SOURCES})
+  target_link_libraries(${name} PRIVATE ${BENCH_LINK})
+  add_dependencies(cps_benches ${name})
 endfunction()

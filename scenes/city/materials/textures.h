@@ -1,5 +1,6 @@
 #pragma once
 
+#include "random/counter_hash.h"
 #include "scenes/city/materials/paint.h"
 
 /// The city's painted surfaces. Each is a square tile of the stated size; looks vary with the stream.
