@@ -12,6 +12,7 @@
 #include "production/condition_scene.h"
 #include "production/progress.h"
 #include "production/view_render.h"
+#include "random/shuffle.h"
 #include "renderer/materials/srgb.h"
 #include "sensor/develop.h"
 
@@ -29,9 +30,7 @@ std::vector<DrawnImage> draw_images(const Plan& plan, const RerenderOptions& opt
   for (std::size_t v = 0; v < plan.views.size(); ++v)
     for (int g : plan.views[v].groups) images.push_back({static_cast<std::int64_t>(v), g});
   const auto wanted = std::min<std::size_t>(options.images, images.size());
-  const Stream stream = make_stream(options.seed, "rerender");
-  for (std::size_t i = 0; i < wanted; ++i)
-    std::swap(images[i], images[i + random_below(stream, i, images.size() - i)]);
+  draw_to_front(images, wanted, make_stream(options.seed, "rerender"));
   images.resize(wanted);
   std::sort(images.begin(), images.end(), [](const DrawnImage& a, const DrawnImage& b) {
     return std::pair(a.view, a.group) < std::pair(b.view, b.group);

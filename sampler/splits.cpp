@@ -1,17 +1,14 @@
 #include "sampler/splits.h"
 
-#include <algorithm>
 #include <numeric>
+
+#include "random/shuffle.h"
 
 namespace cps {
 
 std::vector<Part> deal_parts(std::span<const double> weights, double train_share, double val_share,
                              Stream stream) {
-  std::vector<std::size_t> order(weights.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(random_bits(stream, a), a) < std::pair(random_bits(stream, b), b);
-  });
+  const std::vector<std::size_t> order = shuffled_order(weights.size(), stream);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const double targets[3] = {train_share * total, val_share * total, (1 - train_share - val_share) * total};
   double dealt[3] = {0, 0, 0};

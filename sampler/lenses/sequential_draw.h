@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <numeric>
 
 #include "distortion/crop/limits.h"
-#include "random/counter_hash.h"
+#include "random/shuffle.h"
 #include "sampler/lenses/lens_options.h"
 
 namespace cps {
@@ -24,12 +25,12 @@ struct SequentialDraw {
 SequentialDraw draw_sequential(const Eigen::AlignedBox2d& frame, const LensBounds& bounds,
                                const CoefficientChoice& choice, Stream stream);
 
-/// 0 … count−1 in an order drawn from `stream` (Fisher–Yates).
+/// 0 … count−1 in random order.
 template <std::size_t count>
 std::array<int, count> drawn_order(Stream stream) {
   std::array<int, count> order;
-  for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<int>(i);
-  for (std::size_t i = count - 1; i > 0; --i) std::swap(order[i], order[random_below(stream, i, i + 1)]);
+  std::iota(order.begin(), order.end(), 0);
+  shuffle(order, stream);
   return order;
 }
 

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "random/shuffle.h"
 
 namespace cps {
 
 std::vector<LaneStratum> deal_strata(std::int64_t count, Stream stream) {
-  std::vector<std::int64_t> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
-    return std::pair(random_bits(stream, a), a) < std::pair(random_bits(stream, b), b);
-  });
   std::vector<LaneStratum> strata;
-  for (std::int64_t index : order) strata.push_back({index, count});
+  for (std::size_t index : shuffled_order(count, stream))
+    strata.push_back({static_cast<std::int64_t>(index), count});
   return strata;
 }
 

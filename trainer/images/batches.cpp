@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "random/counter_hash.h"
+#include "random/shuffle.h"
 
 namespace cps {
 namespace {
@@ -38,11 +38,7 @@ std::vector<Batch> shuffled_batches(std::span<const ImageSize> sizes, int batch_
   ImagesBySize groups = group_by_size(sizes);
   const Stream stream = substream(make_stream(seed, "batches"), epoch);
   std::uint64_t group = 0;
-  for (auto& [size, images] : groups) {  // Fisher & Yates
-    const Stream order = substream(stream, group++);
-    for (std::size_t i = images.size(); i > 1; --i)
-      std::swap(images[i - 1], images[random_below(order, i, i)]);
-  }
+  for (auto& [size, images] : groups) shuffle(images, substream(stream, group++), 1);
   return interleaved(groups, batch_size);
 }
 

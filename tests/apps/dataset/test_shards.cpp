@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "dataset/job/journal.h"
-#include "random/counter_hash.h"
+#include "random/shuffle.h"
 #include "tests/apps/dataset/dataset_runs.h"
 #include "tests/apps/street_gltf.h"
 #include "tests/temporary_folder.h"
@@ -15,8 +15,7 @@ namespace {
 std::vector<std::string> shards_in_drawn_order(int count, std::uint64_t seed) {
   std::vector<std::string> shards;
   for (int i = 0; i < count; ++i) shards.push_back(std::to_string(i) + "/" + std::to_string(count));
-  for (int i = count - 1; i > 0; --i)
-    std::swap(shards[i], shards[random_below(make_stream(seed, "order"), i, i + 1)]);
+  shuffle(shards, make_stream(seed, "order"));
   return shards;
 }
 
