@@ -3,7 +3,7 @@
 
     docs/pictures/make/way_of_a_view.py build/release/bin/cps docs/pictures/way_of_a_view.jpg
 
-Needs Debian's python3-numpy and python3-pil. Takes about three CPU minutes, nearly all of them rendering.
+Needs Debian's python3-numpy and python3-pil. Takes two CPU minutes, nearly all of them rendering.
 Panels 1 and 4 are the program's output. It never makes what panels 2 and 3 show, a distorted picture with its
 black border: this script draws that by moving every master pixel to where the lens puts it.
 """
@@ -87,7 +87,7 @@ def main(cps, target):
         run = lambda *words: subprocess.run([cps, *map(str, words)], check=True, stdout=subprocess.DEVNULL)
         run("city", "--seed", 1, "-o", folder / "city.glb")
         run("render", folder / "city.glb", "-o", folder / "master.png", "--size", f"{2 * WIDTH}x{2 * HEIGHT}",
-            "--hfov", BASE_HFOV_DEG, "--samples", 64)
+            "--hfov", BASE_HFOV_DEG, "--samples", 32)
         write_calibration(folder / "lens.json", lens, focal)
         run("distort", folder / "master.png", "-o", folder / "image.png", "--hfov", BASE_HFOV_DEG,
             "--lens", folder / "lens.json", "--label", folder / "label.json")
