@@ -7,10 +7,10 @@
 
 namespace cps {
 
-/// A camera as a calibration describes it: what its image's pixels mean. fx and fy may differ.
+/// A calibrated camera: its pinhole part and its lens. fx and fy may differ.
 struct CalibratedCamera {
   std::string name;
-  Pinhole camera;         ///< of the distorted image
+  Pinhole pinhole;        ///< of the distorted image
   Distortion distortion;  ///< on the plane z = 1
   bool operator==(const CalibratedCamera&) const = default;
 };

@@ -80,7 +80,7 @@ Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJo
   if (source.distortion != Distortion{})
     throw std::runtime_error(request.source_file +
                              ": k1 k2 p1 p2 k3: are not 0; straighten the input first (cps undistort)");
-  return source.camera;
+  return source.pinhole;
 }
 
 /// The camera that the output is to look as if taken by, but for the zoom.
@@ -142,12 +142,12 @@ are made all the same, and the exit status is 1.
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
   const Pinhole source = source_camera(request, jobs);
   CalibratedCamera output = wanted_camera(request, source);
-  const double unzoomed = output.camera.fx;
+  const double unzoomed = output.pinhole.fx;
   const ViewFit fit =
       fit_distorted_view(source, output, request.sigma_px, request.lenses.principal_point.max_zoom);
   if (!fit.valid) throw std::runtime_error(request.input + ": " + fit.why);
-  output.camera = fit.camera;
-  const FrameCertificate proof = certify_frame(output.distortion, output.camera, warpable);
+  output.pinhole = fit.camera;
+  const FrameCertificate proof = certify_frame(output.distortion, output.pinhole, warpable);
   if (!proof.valid()) throw std::runtime_error(request.lens_file + ": " + proof.why);
   report_resolution(request, std::min(source.fx / fit.camera.fx, source.fy / fit.camera.fy) /
                                  proof.certificate.max_eigenvalue);
@@ -162,7 +162,7 @@ are made all the same, and the exit status is 1.
   const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
     const Picture picture =
         read_picture(job.input, encoding, options.resampling, source.width, source.height);
-    write_picture(job.output, warp(picture.pixels, source, output.distortion, output.camera, options),
+    write_picture(job.output, warp(picture.pixels, source, output.distortion, output.pinhole, options),
                   picture);
   });
   fmt::print("{}: {} x {}, H-FOV {:.2f} degrees, zoom {:.4f}; {} pictures, {} failed\n", label.string(),

@@ -65,7 +65,7 @@ std::string make_images(const CameraPictures& source, const Pinhole& straight,
   const WarpOptions straighten{.oversampling = 1, .require_coverage = false, .require_resolution = false},
       bend{.oversampling = 1};
   for (std::size_t i = 0; i < source.files.size(); ++i) {
-    const Pinhole& camera = source.camera.camera;
+    const Pinhole& camera = source.camera.pinhole;
     const Picture picture = read_picture(source.files[i], Encoding::automatic, Resampling::footprint,
                                          camera.width, camera.height);
     const OIIO::ImageBuf ideal =
@@ -112,7 +112,7 @@ A lens and crop for which the pictures are too coarse, or do not reach far enoug
   std::string names;
   int first_lens = 1;
   for (const CameraPictures& source : cameras) {
-    const Pinhole& camera = source.camera.camera;
+    const Pinhole& camera = source.camera.pinhole;
     const ViewFit straight = fit_straight_view(source.camera, Keep::valid, camera.width, camera.height, .5);
     if (!straight.valid) throw std::runtime_error("camera " + source.camera.name + ": " + straight.why);
     const std::vector<RelensGroup> groups =

@@ -60,7 +60,7 @@ CalibratedCamera source_camera(const UndistortRequest& request, const std::vecto
 }
 
 Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& source) {
-  const ImageSize size = request.size.empty() ? ImageSize{source.camera.width, source.camera.height}
+  const ImageSize size = request.size.empty() ? ImageSize{source.pinhole.width, source.pinhole.height}
                                               : flag_value<ImageSize>("size", request.size);
   if (request.hfov_deg > 0) return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
   const ViewFit fit =
@@ -96,7 +96,7 @@ are made all the same, and the exit status is 1.
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
   const CalibratedCamera source = source_camera(request, jobs);
-  const FrameCertificate proof = certify_frame(source.distortion, source.camera, warpable);
+  const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
   if (!proof.certificate.valid) throw std::runtime_error(request.lens_file + ": " + proof.why);
   if (!proof.valid()) fmt::print(stderr, "{}: {}; the rest is left out\n", request.lens_file, proof.why);
   const CalibratedCamera output{source.name, output_camera(request, source), {}};
@@ -111,12 +111,13 @@ are made all the same, and the exit status is 1.
   write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
   const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
     const Picture picture =
-        read_picture(job.input, encoding, options.resampling, source.camera.width, source.camera.height);
+        read_picture(job.input, encoding, options.resampling, source.pinhole.width, source.pinhole.height);
     write_picture(job.output,
-                  unwarp(picture.pixels, source.camera, source.distortion, output.camera, options), picture);
+                  unwarp(picture.pixels, source.pinhole, source.distortion, output.pinhole, options),
+                  picture);
   });
   fmt::print("{}: {} x {}, H-FOV {:.2f} degrees; {} pictures, {} failed\n", label.string(),
-             output.camera.width, output.camera.height, degrees(hfov_rad(output.camera)),
+             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)),
              jobs.size() - failed, failed);
   return failed > 0 ? 1 : 0;
 }

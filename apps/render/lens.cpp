@@ -67,12 +67,12 @@ LensView calibrated_view(const RenderRequest& request, const Camera& ideal) {
   CalibratedCamera calibrated = chosen_camera(read_calibration(file), request.lens_camera.value_or(""), file);
   if (request.hfov_deg) throw po::error("--hfov: the --lens file says what its picture sees");
   if (request.size) calibrated = resized(calibrated, ideal.pinhole.width, ideal.pinhole.height);
-  const FrameCertificate proof = certify_frame(calibrated.distortion, calibrated.camera, one_to_one);
+  const FrameCertificate proof = certify_frame(calibrated.distortion, calibrated.pinhole, one_to_one);
   if (!proof.valid()) throw std::runtime_error(file.string() + ": " + proof.why);
   return {.seen = {.world_from_camera = ideal.world_from_camera,
-                   .pinhole = calibrated.camera,
+                   .pinhole = calibrated.pinhole,
                    .lens = calibrated.distortion},
-          .master = master_around(proof, calibrated.camera),
+          .master = master_around(proof, calibrated.pinhole),
           .ideal_box = proof.rectangle};
 }
 

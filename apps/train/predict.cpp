@@ -67,7 +67,7 @@ void straighten(const ImagePrediction& p, const fs::path& folder) {
       read_picture(p.file, Encoding::automatic, Resampling::footprint, p.size.width, p.size.height);
   const WarpOptions options{.oversampling = 1, .require_coverage = false, .require_resolution = false};
   write_picture(folder / p.file.filename(),
-                unwarp(picture.pixels, camera.camera, camera.distortion, view.camera, options), picture);
+                unwarp(picture.pixels, camera.pinhole, camera.distortion, view.camera, options), picture);
 }
 
 }  // namespace

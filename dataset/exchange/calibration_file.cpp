@@ -28,7 +28,7 @@ constexpr std::array<Writer, 8> writers{{{CalibrationFormat::cps, "cps", write_c
 /// A camera that no lens and no sensor can be, whatever the format.
 void check_plausible(const CalibratedCamera& calibrated, const std::string& where) {
   constexpr int largest_side = 100'000;
-  const auto& [width, height, fx, fy, cx, cy] = calibrated.camera;
+  const auto& [width, height, fx, fy, cx, cy] = calibrated.pinhole;
   const Distortion& lens = calibrated.distortion;
   if (width < 1 || height < 1 || width > largest_side || height > largest_side)
     throw std::runtime_error(where + ": width, height: must lie between 1 and 100000 pixels");

@@ -32,14 +32,14 @@ nlohmann::ordered_json rows_json(const Eigen::Isometry3d& pose) {
 
 CalibratedCamera camera_from_json(const JsonKeys& keys) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> k = keys.matrix("K", 3, 3);
-  return {
-      .name = {},
-      .camera = pinhole_from_k({k.data(), 9}, keys.pixels("width"), keys.pixels("height"), keys.file + ": K"),
-      .distortion = {.k1 = keys.number("k1"),
-                     .k2 = keys.number("k2"),
-                     .k3 = keys.number("k3"),
-                     .p1 = keys.number("p1"),
-                     .p2 = keys.number("p2")}};
+  return {.name = {},
+          .pinhole =
+              pinhole_from_k({k.data(), 9}, keys.pixels("width"), keys.pixels("height"), keys.file + ": K"),
+          .distortion = {.k1 = keys.number("k1"),
+                         .k2 = keys.number("k2"),
+                         .k3 = keys.number("k3"),
+                         .p1 = keys.number("p1"),
+                         .p2 = keys.number("p2")}};
 }
 
 }  // namespace cps

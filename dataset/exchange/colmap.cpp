@@ -81,7 +81,7 @@ std::string write_colmap(CameraSpan cameras) {
   std::string text = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";
   int number = 0;
   for (const CalibratedCamera& camera : cameras) {
-    const Pinhole& pinhole = camera.camera;
+    const Pinhole& pinhole = camera.pinhole;
     std::vector<double> parameters = {pinhole.fx, pinhole.fy, pinhole.cx + 0.5, pinhole.cy + 0.5};
     std::vector<double> coefficients = in_opencv_order(camera.distortion);
     coefficients.resize(camera.distortion.k3 == 0 ? 4 : 8);

@@ -14,7 +14,7 @@ Cameras read_cps(const JsonKeys& root, const std::string& name) {
 
 std::string write_cps(CameraSpan cameras) {
   const CalibratedCamera& camera = only_camera(cameras);
-  nlohmann::ordered_json json = camera_json(camera.camera, camera.distortion);
+  nlohmann::ordered_json json = camera_json(camera.pinhole, camera.distortion);
   json["camera"] = {{"name", camera.name}};
   return json.dump(2) + "\n";
 }

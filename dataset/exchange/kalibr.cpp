@@ -39,7 +39,7 @@ std::string write_kalibr(CameraSpan cameras) {
   std::string text;
   int index = 0;
   for (const CalibratedCamera& camera : cameras) {
-    const Pinhole& pinhole = camera.camera;
+    const Pinhole& pinhole = camera.pinhole;
     const Distortion& lens = camera.distortion;
     if (lens.k3 != 0)
       throw std::runtime_error(camera.name + ": k3 is not 0, which Kalibr's radtan has no place for");

@@ -61,8 +61,8 @@ std::string write_kitti(CameraSpan cameras) {
   for (const CalibratedCamera& camera : cameras) {
     const std::string name = keep_names ? camera.name : fmt::format("{:02}", index);
     ++index;
-    text += fmt::format("S_{0}: {1} {2}\nK_{0}: {3}\nD_{0}: {4}\n", name, camera.camera.width,
-                        camera.camera.height, decimals(k_matrix(camera.camera), " "),
+    text += fmt::format("S_{0}: {1} {2}\nK_{0}: {3}\nD_{0}: {4}\n", name, camera.pinhole.width,
+                        camera.pinhole.height, decimals(k_matrix(camera.pinhole), " "),
                         decimals(in_opencv_order(camera.distortion), " "));
   }
   return text;

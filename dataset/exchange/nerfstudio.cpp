@@ -34,7 +34,7 @@ CalibratedCamera read_one(const JsonKeys& keys, const std::string& name) {
 }
 
 nlohmann::ordered_json to_json(const CalibratedCamera& camera) {
-  const Pinhole& pinhole = camera.camera;
+  const Pinhole& pinhole = camera.pinhole;
   const Distortion& lens = camera.distortion;
   return {{"fl_x", pinhole.fx}, {"fl_y", pinhole.fy},  {"cx", pinhole.cx + 0.5}, {"cy", pinhole.cy + 0.5},
           {"w", pinhole.width}, {"h", pinhole.height}, {"k1", lens.k1},          {"k2", lens.k2},

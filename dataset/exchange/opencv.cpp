@@ -38,9 +38,9 @@ Cameras read_opencv(const JsonKeys& root, const std::string& name) {
 
 std::string write_opencv_yaml(CameraSpan cameras) {
   const CalibratedCamera& camera = only_camera(cameras);
-  return fmt::format("%YAML:1.0\n---\nimage_width: {}\nimage_height: {}\n", camera.camera.width,
-                     camera.camera.height) +
-         yaml_matrix("camera_matrix", 3, 3, k_matrix(camera.camera)) +
+  return fmt::format("%YAML:1.0\n---\nimage_width: {}\nimage_height: {}\n", camera.pinhole.width,
+                     camera.pinhole.height) +
+         yaml_matrix("camera_matrix", 3, 3, k_matrix(camera.pinhole)) +
          yaml_matrix("distortion_coefficients", 5, 1, in_opencv_order(camera.distortion));
 }
 
@@ -49,8 +49,8 @@ std::string write_opencv_xml(CameraSpan cameras) {
   return fmt::format(
              "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>{}</image_width>\n"
              "<image_height>{}</image_height>\n",
-             camera.camera.width, camera.camera.height) +
-         xml_matrix("camera_matrix", 3, 3, k_matrix(camera.camera)) +
+             camera.pinhole.width, camera.pinhole.height) +
+         xml_matrix("camera_matrix", 3, 3, k_matrix(camera.pinhole)) +
          xml_matrix("distortion_coefficients", 5, 1, in_opencv_order(camera.distortion)) +
          "</opencv_storage>\n";
 }

@@ -20,7 +20,7 @@ Cameras read_ros(const JsonKeys& root, const std::string& name) {
 
 std::string write_ros(CameraSpan cameras) {
   const CalibratedCamera& camera = only_camera(cameras);
-  const Pinhole& pinhole = camera.camera;
+  const Pinhole& pinhole = camera.pinhole;
   const std::vector<double> projection = {pinhole.fx, 0, pinhole.cx, 0, 0, pinhole.fy,
                                           pinhole.cy, 0, 0,          0, 1, 0};
   const std::vector<double> unrectified = {1, 0, 0, 0, 1, 0, 0, 0, 1};

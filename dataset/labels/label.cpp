@@ -62,8 +62,8 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
                 "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
   Label label;
   const CalibratedCamera calibrated = camera_from_json(reader);
-  check_camera(calibrated.camera, reader);
-  label.camera = calibrated.camera;
+  check_camera(calibrated.pinhole, reader);
+  label.camera = calibrated.pinhole;
   label.distortion = calibrated.distortion;
   label.fov_base_deg = reader.number("fov_base_deg");
   const JsonKeys true_angles = reader.object("fov_true_deg");

@@ -5,7 +5,7 @@
 namespace cps {
 
 FieldsOfView fields_of_view(const CalibratedCamera& calibrated, const Eigen::AlignedBox2d& box) {
-  const Pinhole& camera = calibrated.camera;
+  const Pinhole& camera = calibrated.pinhole;
   const Eigen::AlignedBox2d frame = frame_on_plane(camera);
   const auto angle = [](double from, double to) { return std::atan(to) - std::atan(from); };
   return {.label_horizontal_rad = hfov_rad(camera),

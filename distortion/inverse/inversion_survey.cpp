@@ -33,7 +33,7 @@ void count_wrong(InverterErrors& errors, double error_px, const Eigen::Vector2d&
 
 void survey_pixel(const CalibratedCamera& calibrated, const Eigen::AlignedBox2d& box,
                   const Eigen::Vector2d& pixel, InversionSurvey& survey) {
-  const Pinhole& camera = calibrated.camera;
+  const Pinhole& camera = calibrated.pinhole;
   const Distortion& lens = calibrated.distortion;
   const Eigen::Vector2d distorted = to_plane(camera, pixel), focal(camera.fx, camera.fy);
   ++survey.pixels;
@@ -75,7 +75,7 @@ InversionSurvey joined(InversionSurvey a, const InversionSurvey& b) {
 }  // namespace
 
 InversionSurvey survey_inversion(const CalibratedCamera& calibrated, const Eigen::AlignedBox2d& box) {
-  const Pinhole& camera = calibrated.camera;
+  const Pinhole& camera = calibrated.pinhole;
   constexpr double most_pixels = 1e6;
   const int step = std::max(1, int(std::sqrt(double(camera.width) * camera.height / most_pixels)));
   InversionSurvey nothing;

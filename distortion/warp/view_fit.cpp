@@ -82,16 +82,17 @@ double smallest_covered_zoom(const FootprintsAt& footprints, const Pinhole& came
 ViewFit fit_distorted_view(const Pinhole& source, const CalibratedCamera& wanted, double sigma_px,
                            double max_zoom) {
   const Eigen::AlignedBox2d shown = frame_on_plane(source);
-  const FrameCertificate proof = certify_frame(wanted.distortion, wanted.camera, shown, warpable);
+  const FrameCertificate proof = certify_frame(wanted.distortion, wanted.pinhole, shown, warpable);
   if (!proof.certificate.valid) return refused(proof.why);
   const Eigen::AlignedBox2d usable = proof.rectangle.intersection(shown);
-  const double border_free = 1 / smallest_rim_gauge(wanted.distortion, usable, frame_on_plane(wanted.camera));
+  const double border_free =
+      1 / smallest_rim_gauge(wanted.distortion, usable, frame_on_plane(wanted.pinhole));
   const FootprintsAt footprints = [&](const Pinhole& camera, int x0, int y0, int width, int height,
                                       FootprintTile& tile) {
     distorting_footprints(wanted.distortion, usable, source, camera, sigma_px, x0, y0, width, height, tile);
   };
   const bool shows_enough = proof.valid() && shown.contains(proof.rectangle);
-  const double zoom = smallest_covered_zoom(footprints, wanted.camera, source,
+  const double zoom = smallest_covered_zoom(footprints, wanted.pinhole, source,
                                             shows_enough ? 1.0 : std::max(1.0, border_free * (1 + 1e-9)));
   if (!(zoom <= max_zoom)) {
     char line[160];
@@ -100,20 +101,20 @@ ViewFit fit_distorted_view(const Pinhole& source, const CalibratedCamera& wanted
                   zoom, max_zoom);
     return refused(line);
   }
-  return {.valid = true, .camera = zoomed(wanted.camera, zoom), .why = {}};
+  return {.valid = true, .camera = zoomed(wanted.pinhole, zoom), .why = {}};
 }
 
 ViewFit fit_straight_view(const CalibratedCamera& source, Keep keep, int width, int height, double sigma_px) {
-  const FrameCertificate proof = certify_frame(source.distortion, source.camera, warpable);
+  const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
   if (!proof.certificate.valid) return refused(proof.why);
   if (keep == Keep::camera) {
     const CalibratedCamera scaled = resized(source, width, height);
-    return {.valid = true, .camera = scaled.camera, .why = {}};
+    return {.valid = true, .camera = scaled.pinhole, .why = {}};
   }
 
   // The widest extent of what the source shows, or of what is proved of it, decides Keep::all, and is a start
   // for Keep::valid.
-  const Pinhole& camera = source.camera;
+  const Pinhole& camera = source.pinhole;
   Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
   if (!proof.valid()) farthest = proof.rectangle.min().cwiseAbs().cwiseMax(proof.rectangle.max());
   const auto extend = [&](double x, double y) {

@@ -16,7 +16,7 @@ const CalibratedCamera odd{"odd",
                            {.k1 = -0.21, .k2 = 0.07, .k3 = -0.011, .p1 = 0.004, .p2 = -0.0023}};
 
 Eigen::Vector2d pixel_of(const CalibratedCamera& calibrated, const Eigen::Vector2d& ideal) {
-  return to_pixel(calibrated.camera, distort(calibrated.distortion, ideal));
+  return to_pixel(calibrated.pinhole, distort(calibrated.distortion, ideal));
 }
 
 /// The ray `seen` of the old camera appears in the new image where the old pixel was moved to.
@@ -39,13 +39,13 @@ Eigen::Vector2d same_ray(Eigen::Vector2d ray) {
 
 TEST_CASE("cropping and padding move every point by the offset") {
   const CalibratedCamera crop = cropped(odd, 31, 12, 500, 300);
-  CHECK(crop.camera.width == 500);
-  CHECK(crop.camera.height == 300);
+  CHECK(crop.pinhole.width == 500);
+  CHECK(crop.pinhole.height == 300);
   check_moves(
       crop, [](auto p) { return Eigen::Vector2d(p.x() - 31, p.y() - 12); }, same_ray);
   const CalibratedCamera pad = padded(odd, 7, 9, 11, 13);
-  CHECK(pad.camera.width == 640 + 18);
-  CHECK(pad.camera.height == 362 + 22);
+  CHECK(pad.pinhole.width == 640 + 18);
+  CHECK(pad.pinhole.height == 362 + 22);
   check_moves(
       pad, [](auto p) { return Eigen::Vector2d(p.x() + 7, p.y() + 9); }, same_ray);
   CHECK(cropped(pad, 7, 9, 640, 362) == odd);
@@ -60,12 +60,12 @@ TEST_CASE("resizing keeps the frame's edges, each axis by its own factor") {
     return Eigen::Vector2d(u * 960 - 0.5, v * 181 - 0.5);
   };
   check_moves(wide, moved, same_ray);
-  CHECK(hfov_rad(wide.camera) == Approx(hfov_rad(odd.camera)).epsilon(1e-14));
+  CHECK(hfov_rad(wide.pinhole) == Approx(hfov_rad(odd.pinhole)).epsilon(1e-14));
   const CalibratedCamera back = resized(wide, 640, 362);
-  CHECK(back.camera.cx == Approx(odd.camera.cx).epsilon(1e-14));
-  CHECK(back.camera.fy == Approx(odd.camera.fy).epsilon(1e-14));
+  CHECK(back.pinhole.cx == Approx(odd.pinhole.cx).epsilon(1e-14));
+  CHECK(back.pinhole.fy == Approx(odd.pinhole.fy).epsilon(1e-14));
   // Twice the size is what splitting every pixel gives.
-  CHECK(resized(odd, 1280, 724).camera == oversampled(odd.camera, 2));
+  CHECK(resized(odd, 1280, 724).pinhole == oversampled(odd.pinhole, 2));
 }
 
 TEST_CASE("mirroring exchanges columns or rows, centre of pixel to centre of pixel") {
@@ -94,15 +94,15 @@ TEST_CASE("the fields of view agree where they should and differ where they must
 
   // The whole frame right of the axis but for one sixteenth: atan(15/8) + atan(1/8).
   CalibratedCamera shifted = plain;
-  shifted.camera.cx = 39.5;
-  const FieldsOfView off = fields_of_view(shifted, certify_frame({}, shifted.camera).rectangle);
+  shifted.pinhole.cx = 39.5;
+  const FieldsOfView off = fields_of_view(shifted, certify_frame({}, shifted.pinhole).rectangle);
   CHECK(degrees(off.label_horizontal_rad) == Approx(90));
   CHECK(off.ideal_horizontal_rad == Approx(std::atan(600.0 / 320) + std::atan(40.0 / 320)));
   REQUIRE(off.seen);
   CHECK(off.seen->horizontal_rad == Approx(off.ideal_horizontal_rad));
 
   // Barrel: sees more than its label says.
-  const FrameCertificate proof = certify_frame(odd.distortion, odd.camera);
+  const FrameCertificate proof = certify_frame(odd.distortion, odd.pinhole);
   REQUIRE(proof.valid());
   const FieldsOfView barrel = fields_of_view(odd, proof.rectangle);
   REQUIRE(barrel.seen);

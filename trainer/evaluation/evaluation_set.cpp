@@ -45,7 +45,7 @@ EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
 EvaluationSet kitti_evaluation_set(const fs::path& folder) {
   EvaluationSet set{.name = "KITTI raw frames of " + folder.string(), .images = {}};
   for (const CameraPictures& pictures : kitti_raw(folder)) {
-    const Calibration truth{pictures.camera.camera, pictures.camera.distortion};
+    const Calibration truth{pictures.camera.pinhole, pictures.camera.distortion};
     const auto rays = shared(ray_grid(truth), folder.string() + ": camera " + pictures.camera.name);
     for (const fs::path& file : pictures.files)
       set.images.push_back({file, file.lexically_relative(folder).string(), "KITTI " + pictures.camera.name,
@@ -56,7 +56,7 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
 
 EvaluationSet picture_evaluation_set(const fs::path& folder, const CalibratedCamera& camera) {
   EvaluationSet set{.name = "pictures in " + folder.string(), .images = {}};
-  const Calibration truth{camera.camera, camera.distortion};
+  const Calibration truth{camera.pinhole, camera.distortion};
   const auto rays = shared(ray_grid(truth), "camera " + camera.name);
   for (const fs::path& file : pictures_in(folder))
     set.images.push_back(

@@ -17,7 +17,7 @@ TEST_CASE("undistort --keep camera has the geometry of OpenCV's initUndistortRec
   });
   run_well("undistort " + in.string() + " -o " + out.string() + " --lens " + lens.string() +
            " --keep camera --sigma 1");
-  CHECK(label(folder.path / "b_calibration.json").camera == barrel.camera);
+  CHECK(label(folder.path / "b_calibration.json").pinhole == barrel.pinhole);
   CHECK(label(folder.path / "b_calibration.json").distortion == Distortion{});
 
   cv::Mat map_x, map_y;
@@ -55,11 +55,11 @@ TEST_CASE("undistort keeps what it is told to") {
     return black;
   };
   CHECK(black_pixels("") == 0);
-  const double valid_f = label(folder.path / "b_calibration.json").camera.fx;
+  const double valid_f = label(folder.path / "b_calibration.json").pinhole.fx;
   CHECK(black_pixels("--keep all --label-format opencv-xml") > 0);
-  CHECK(label(folder.path / "b_calibration.xml").camera.fx < valid_f);
+  CHECK(label(folder.path / "b_calibration.xml").pinhole.fx < valid_f);
   CHECK(black_pixels("--hfov 100 --size 200x120") > 0);
-  CHECK(label(folder.path / "b_calibration.json").camera == pinhole_from_hfov(200, 120, radians(100)));
+  CHECK(label(folder.path / "b_calibration.json").pinhole == pinhole_from_hfov(200, 120, radians(100)));
 }
 
 TEST_CASE("distort and back returns the picture within the kernels' blur") {
@@ -73,7 +73,7 @@ TEST_CASE("distort and back returns the picture within the kernels' blur") {
            (folder.path / "ros.yaml").string());
   const CalibratedCamera taken = label(folder.path / "ros.yaml");
   CHECK(taken.distortion == barrel.distortion);
-  CHECK(taken.camera == barrel.camera);  // 110° at twice the size show enough
+  CHECK(taken.pinhole == barrel.pinhole);  // 110° at twice the size show enough
   run_well("undistort " + seen.string() + " -o " + back.string() + " --lens " +
            (folder.path / "ros.yaml").string() + " --hfov 110 --size 320x200 --encoding linear --sigma 0.5");
   const OIIO::ImageBuf image = read_image(back);
@@ -101,9 +101,9 @@ TEST_CASE("distort zooms until no border is left, by the label, or is told not t
       "distort " + in.string() + " -o " + out.string() + " --hfov 60 --lens " + lens.string();
   run_well(common);
   const CalibratedCamera zoomed = label(folder.path / "b_calibration.json");
-  CHECK(zoomed.camera.fx > barrel.camera.fx);
-  CHECK(zoomed.camera.fy / zoomed.camera.fx == Approx(barrel.camera.fy / barrel.camera.fx));
-  CHECK(zoomed.camera.cx == barrel.camera.cx);
+  CHECK(zoomed.pinhole.fx > barrel.pinhole.fx);
+  CHECK(zoomed.pinhole.fy / zoomed.pinhole.fx == Approx(barrel.pinhole.fy / barrel.pinhole.fx));
+  CHECK(zoomed.pinhole.cx == barrel.pinhole.cx);
   CHECK(zoomed.distortion == barrel.distortion);
   const OIIO::ImageBuf image = read_image(out);
   for (int y = 0; y < 100; ++y)
@@ -121,13 +121,13 @@ TEST_CASE("distort draws the lens that lens sample lists") {
   run_well("distort " + in.string() + " -o " + out.string() +
            " --hfov 80 --size 128x80 --draw shape_prior --seed 5 --number 2");
   const CalibratedCamera drawn = label(folder.path / "b_calibration.json");
-  CHECK(drawn.camera.width == 128);
+  CHECK(drawn.pinhole.width == 128);
   const nlohmann::json listed = nlohmann::json::parse(
       run_cps("lens sample 2 --size 128x80 --hfov 80 --seed 5 --lens_draw shape_prior --json").output)[1];
   CHECK(drawn.distortion.k1 == listed["k1"].get<double>());
   CHECK(drawn.distortion.p2 == listed["p2"].get<double>());
-  CHECK(drawn.camera.cx == listed["cx"].get<double>());
+  CHECK(drawn.pinhole.cx == listed["cx"].get<double>());
   // Nearly: without a pad around the input, the kernel at the border needs a little more zoom.
-  CHECK(drawn.camera.fx >= listed["f"].get<double>());
-  CHECK(drawn.camera.fx < 1.06 * listed["f"].get<double>());
+  CHECK(drawn.pinhole.fx >= listed["f"].get<double>());
+  CHECK(drawn.pinhole.fx < 1.06 * listed["f"].get<double>());
 }

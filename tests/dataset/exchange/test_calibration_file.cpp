@@ -70,12 +70,12 @@ TEST_CASE("every format gives back what was written") {
     if (format == CalibrationFormat::colmap || format == CalibrationFormat::nerfstudio) {
       // + .5 − .5 costs the last bit at most.
       constexpr double last_bit = std::numeric_limits<double>::epsilon();
-      CHECK(std::abs(read.camera.cx - odd.camera.cx) <= last_bit * odd.camera.cx);
-      CHECK(std::abs(read.camera.cy - odd.camera.cy) <= last_bit * odd.camera.cy);
-      read.camera.cx = odd.camera.cx;
-      read.camera.cy = odd.camera.cy;
+      CHECK(std::abs(read.pinhole.cx - odd.pinhole.cx) <= last_bit * odd.pinhole.cx);
+      CHECK(std::abs(read.pinhole.cy - odd.pinhole.cy) <= last_bit * odd.pinhole.cy);
+      read.pinhole.cx = odd.pinhole.cx;
+      read.pinhole.cy = odd.pinhole.cy;
     }
-    CHECK(read.camera == written.camera);
+    CHECK(read.pinhole == written.pinhole);
     CHECK(read.distortion == written.distortion);
   }
 }
@@ -83,7 +83,7 @@ TEST_CASE("every format gives back what was written") {
 TEST_CASE("formats for several cameras keep them apart, the others say so") {
   CalibratedCamera second = odd;
   second.name = "03";
-  second.camera.cx = 711;
+  second.pinhole.cx = 711;
   const std::vector<CalibratedCamera> both{odd, second};
   for (CalibrationFormat format :
        {CalibrationFormat::kitti, CalibrationFormat::colmap, CalibrationFormat::nerfstudio}) {
@@ -92,7 +92,7 @@ TEST_CASE("formats for several cameras keep them apart, the others say so") {
     const std::vector<CalibratedCamera> read = read_calibration(file);
     REQUIRE(read.size() == 2);
     CHECK(read[0].name == "02");
-    CHECK(chosen_camera(read, "03", file).camera.cx == Approx(711));
+    CHECK(chosen_camera(read, "03", file).pinhole.cx == Approx(711));
     CHECK_THROWS_WITH(chosen_camera(read, "", file), Catch::Contains("choose one of 02 03"));
     CHECK_THROWS_WITH(chosen_camera(read, "7", file), Catch::Contains("'7' is none of"));
   }
@@ -115,8 +115,8 @@ TEST_CASE("OpenCV reads what is written for it, and the other way round") {
     read["distortion_coefficients"] >> d;
     CHECK(int(read["image_width"]) == 1392);
     REQUIRE((k.rows == 3 && d.total() == 5));
-    CHECK(k.at<double>(0, 2) == Approx(odd.camera.cx).epsilon(1e-15));
-    CHECK(k.at<double>(1, 1) == Approx(odd.camera.fy).epsilon(1e-15));
+    CHECK(k.at<double>(0, 2) == Approx(odd.pinhole.cx).epsilon(1e-15));
+    CHECK(k.at<double>(1, 1) == Approx(odd.pinhole.fy).epsilon(1e-15));
     CHECK(d.at<double>(2) == Approx(odd.distortion.p1).epsilon(1e-15));
     CHECK(d.at<double>(3) == Approx(odd.distortion.p2).epsilon(1e-15));
     CHECK(d.at<double>(4) == Approx(odd.distortion.k3).epsilon(1e-15));
@@ -128,7 +128,7 @@ TEST_CASE("OpenCV reads what is written for it, and the other way round") {
           << "distortion_coefficients" << d;
     write.release();
     const CalibratedCamera back = read_calibration(file).front();
-    CHECK(back.camera.cy == Approx(odd.camera.cy).epsilon(1e-15));
+    CHECK(back.pinhole.cy == Approx(odd.pinhole.cy).epsilon(1e-15));
     CHECK(back.distortion.p2 == Approx(odd.distortion.p2).epsilon(1e-15));
     CHECK(back.distortion.k3 == Approx(odd.distortion.k3).epsilon(1e-15));
   }
@@ -185,7 +185,7 @@ TEST_CASE("files as other programs write them") {
       "1\nD_01: 0 0 0 0 0\n");
   REQUIRE(kitti.size() == 2);
   CHECK(kitti[0] == CalibratedCamera{"00", {640, 480, 500, 501, 320, 239.5}, lens});
-  CHECK(kitti[1].camera.fx == 400);
+  CHECK(kitti[1].pinhole.fx == 400);
 }
 
 TEST_CASE("what cannot be true or is not Brown–Conrady is refused by name") {

@@ -46,7 +46,7 @@ TEST_CASE("on a mild lens all iterations agree with the proved inverse") {
 TEST_CASE("the survey counts what goes wrong, and says where first") {
   // One-to-one on its frame, yet beyond the contraction that the ratio iteration needs.
   const CalibratedCamera camera{"", {640, 400, 260, 260, 325, 190}, {.k1 = 0.35, .k2 = 0.05}};
-  const FrameCertificate proof = certify_frame(camera.distortion, camera.camera, one_to_one);
+  const FrameCertificate proof = certify_frame(camera.distortion, camera.pinhole, one_to_one);
   REQUIRE(proof.valid());
   const InversionSurvey survey = survey_inversion(camera, proof.rectangle);
   CHECK(survey.pixels == 640 * 400);
@@ -58,7 +58,7 @@ TEST_CASE("the survey counts what goes wrong, and says where first") {
   double first_radius = 1e9;
   for (int y = 0; y < 400; ++y)
     for (int x = 0; x < 640; ++x) {
-      const Eigen::Vector2d distorted = to_plane(camera.camera, {x, y});
+      const Eigen::Vector2d distorted = to_plane(camera.pinhole, {x, y});
       const Eigen::Vector2d ideal = *undistort(camera.distortion, proof.rectangle, distorted);
       if (260 * (undistort_by_ratio(camera.distortion, distorted, 5) - ideal).norm() <= 0.1) continue;
       ++wrong;
@@ -73,7 +73,7 @@ TEST_CASE("the survey counts what goes wrong, and says where first") {
 
 TEST_CASE("the survey is the same for any number of threads, and big frames are sampled") {
   const CalibratedCamera camera{"", {4000, 3000, 2500, 2500, 2000, 1500}, {.k1 = -0.2, .k2 = 0.02}};
-  const FrameCertificate proof = certify_frame(camera.distortion, camera.camera, one_to_one);
+  const FrameCertificate proof = certify_frame(camera.distortion, camera.pinhole, one_to_one);
   REQUIRE(proof.valid());
   std::vector<InversionSurvey> surveys;
   for (const int threads : {1, 3}) {
@@ -91,7 +91,7 @@ TEST_CASE("the survey is the same for any number of threads, and big frames are 
 
 TEST_CASE("what lies beyond a fold is counted as outside") {
   const CalibratedCamera folding{"", pinhole_from_hfov(400, 300, radians(80)), {.k1 = -0.32}};
-  const FrameCertificate proof = certify_frame(folding.distortion, folding.camera, one_to_one);
+  const FrameCertificate proof = certify_frame(folding.distortion, folding.pinhole, one_to_one);
   REQUIRE_FALSE(proof.valid());
   const InversionSurvey survey = survey_inversion(folding, proof.rectangle);
   CHECK(survey.outside > 0);

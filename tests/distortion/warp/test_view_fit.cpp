@@ -36,9 +36,10 @@ bool has_border(const Pinhole& source, const Distortion& lens, const Pinhole& ou
 }
 
 std::int64_t uncovered_straight(const CalibratedCamera& source, const Pinhole& output) {
-  const OIIO::ImageBuf black(OIIO::ImageSpec(source.camera.width, source.camera.height, 1, OIIO::TypeUInt8));
+  const OIIO::ImageBuf black(
+      OIIO::ImageSpec(source.pinhole.width, source.pinhole.height, 1, OIIO::TypeUInt8));
   WarpSummary summary;
-  unwarp(black, source.camera, source.distortion, output,
+  unwarp(black, source.pinhole, source.distortion, output,
          {.oversampling = 1,
           .kernel_sigma_px = sigma_px,
           .require_coverage = false,
@@ -63,14 +64,14 @@ TEST_CASE("a distorted view has no border, and less zoom would have one") {
     const double hfov = radians(random_uniform(stream, i, 40, 140));
     const Pinhole source = pinhole_from_hfov(160, 90, hfov);
     CalibratedCamera wanted{"", pinhole_from_hfov(120, 72, hfov), random_lens(stream, i, source)};
-    wanted.camera.cx += 3.2;
-    wanted.camera.fy *= 1.01;
+    wanted.pinhole.cx += 3.2;
+    wanted.pinhole.fy *= 1.01;
     const ViewFit fit = fit_distorted_view(source, wanted, sigma_px, 4);
     if (!fit.valid) continue;
     ++fitted;
-    CHECK(fit.camera.fx / wanted.camera.fx == Approx(fit.camera.fy / wanted.camera.fy).epsilon(1e-12));
+    CHECK(fit.camera.fx / wanted.pinhole.fx == Approx(fit.camera.fy / wanted.pinhole.fy).epsilon(1e-12));
     CHECK(uncovered(source, wanted.distortion, fit.camera) == 0);
-    if (fit.camera.fx > wanted.camera.fx)
+    if (fit.camera.fx > wanted.pinhole.fx)
       CHECK(has_border(source, wanted.distortion, scaled(fit.camera, 1 - 1e-3)));
   }
   CHECK(fitted > 20);
@@ -82,11 +83,11 @@ TEST_CASE("a source that shows enough gives the wanted camera itself") {
   const ViewFit fit = fit_distorted_view(source, wanted, sigma_px, 1);
   INFO(fit.why);
   REQUIRE(fit.valid);
-  CHECK(fit.camera == wanted.camera);
+  CHECK(fit.camera == wanted.pinhole);
   const ViewFit refused = fit_distorted_view(pinhole_from_hfov(320, 200, radians(60)), wanted, sigma_px, 1);
   CHECK_FALSE(refused.valid);
   CHECK_THAT(refused.why, Catch::Contains("zoom") && Catch::Contains("wider source"));
-  CHECK_FALSE(fit_distorted_view(source, {"", wanted.camera, {.k1 = std::nan("")}}, sigma_px, 3).valid);
+  CHECK_FALSE(fit_distorted_view(source, {"", wanted.pinhole, {.k1 = std::nan("")}}, sigma_px, 3).valid);
 }
 
 TEST_CASE("straight views: the widest without black, everything, and the camera's own") {
@@ -94,13 +95,13 @@ TEST_CASE("straight views: the widest without black, everything, and the camera'
   int fitted = 0;
   for (int i = 0; i < 30; ++i) {
     CalibratedCamera source{"", pinhole_from_hfov(120, 72, radians(random_uniform(stream, i, 30, 110))), {}};
-    source.distortion = random_lens(stream, i, source.camera);
-    source.camera.cx -= 4;
-    source.camera.fx *= 0.99;
+    source.distortion = random_lens(stream, i, source.pinhole);
+    source.pinhole.cx -= 4;
+    source.pinhole.fx *= 0.99;
     const ViewFit valid = fit_straight_view(source, Keep::valid, 100, 80, sigma_px);
     const ViewFit all = fit_straight_view(source, Keep::all, 100, 80, sigma_px);
     if (!valid.valid || !all.valid) continue;
-    const FrameCertificate proof = certify_frame(source.distortion, source.camera, warpable);
+    const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
     ++fitted;
     CHECK((valid.camera.fx == valid.camera.fy && valid.camera.cx == 49.5 && valid.camera.cy == 39.5));
     CHECK(uncovered_straight(source, valid.camera) == 0);
@@ -111,7 +112,7 @@ TEST_CASE("straight views: the widest without black, everything, and the camera'
     for (int x = 0; x <= 120; ++x)
       for (const double y : {-0.5, 71.5}) {
         const auto ideal =
-            undistort(source.distortion, proof.rectangle, to_plane(source.camera, {x - 0.5, y}));
+            undistort(source.distortion, proof.rectangle, to_plane(source.pinhole, {x - 0.5, y}));
         if (!ideal) continue;
         const Eigen::Vector2d pixel = to_pixel(all.camera, *ideal);
         farthest = std::max({farthest, std::abs(pixel.x() - 49.5) / 50, std::abs(pixel.y() - 39.5) / 40});
@@ -120,6 +121,6 @@ TEST_CASE("straight views: the widest without black, everything, and the camera'
   }
   CHECK(fitted > 15);
   const CalibratedCamera camera{"", {120, 72, 100, 101, 60, 30}, {.k1 = -0.1}};
-  CHECK(fit_straight_view(camera, Keep::camera, 120, 72, sigma_px).camera == camera.camera);
+  CHECK(fit_straight_view(camera, Keep::camera, 120, 72, sigma_px).camera == camera.pinhole);
   CHECK_FALSE(fit_straight_view({"", {120, 72, 0, 101, 60, 30}, {}}, Keep::all, 120, 72, sigma_px).valid);
 }

@@ -92,6 +92,6 @@ TEST_CASE("a folder of pictures has one camera") {
   REQUIRE(set.images.size() == 2);
   CHECK(set.images[0].name == "a.png");
   CHECK(set.images[1].camera == "dash");
-  CHECK_THROWS_WITH(picture_evaluation_set(folder.path, {"fold", camera.camera, {-5, 0, 0, 0, 0}}),
+  CHECK_THROWS_WITH(picture_evaluation_set(folder.path, {"fold", camera.pinhole, {-5, 0, 0, 0, 0}}),
                     Catch::Contains("not one-to-one"));
 }
