@@ -10,8 +10,8 @@
 #include "dataset/labels/group_label.h"
 #include "dataset/labels/label_check.h"
 #include "distortion/crop/true_fov.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/view_fit.h"
-#include "distortion/warp/warp.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"
 

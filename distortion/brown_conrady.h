@@ -11,24 +11,41 @@ struct Distortion {
   bool operator==(const Distortion&) const = default;
 };
 
-/// Distorted point of an ideal point, both on the plane z = 1 (x right, y down):
-/// x_d = x(1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2x²), y_d likewise with p1 and p2 swapped.
-inline Eigen::Vector2d distort(const Distortion& lens, const Eigen::Vector2d& ideal) {
-  const double x = ideal.x(), y = ideal.y(), s = x * x + y * y;
-  const double radial = 1 + s * (lens.k1 + s * (lens.k2 + s * lens.k3));
-  const double pull = 2 * (lens.p2 * x + lens.p1 * y);
-  return {x * (radial + pull) + lens.p2 * s, y * (radial + pull) + lens.p1 * s};
-}
+/// Where the lens sends one ideal point, and the Jacobian ∂distorted/∂ideal there. The Jacobian is symmetric,
+/// because the map is the gradient of Φ = r²/2 + k1 r⁴/4 + k2 r⁶/6 + k3 r⁸/8 + (p2 x + p1 y) r².
+struct DistortedPoint {
+  double x, y;
+  double xx, xy, yy;  ///< of the Jacobian
+};
 
-/// Jacobian ∂distorted/∂ideal. Symmetric, because the map is the gradient of
-/// Φ = r²/2 + k1 r⁴/4 + k2 r⁶/6 + k3 r⁸/8 + (p2 x + p1 y) r².
-inline Eigen::Matrix2d distortion_jacobian(const Distortion& lens, const Eigen::Vector2d& ideal) {
-  const double x = ideal.x(), y = ideal.y(), s = x * x + y * y;
+/// The Brown–Conrady model, on the plane z = 1 (x right, y down):
+/// x_d = x(1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2 (r² + 2x²), y_d likewise with p1 and p2 swapped.
+///
+/// The only evaluation of the model: distort() and distortion_jacobian() call it for one point, and loops
+/// over rows of points call it directly. It has no branch and is always inlined, so such a loop compiles to
+/// vector instructions and what it does not use of the result costs nothing.
+[[gnu::always_inline]] inline DistortedPoint evaluate(const Distortion& lens, double x, double y) {
+  const double s = x * x + y * y;
   const double diagonal = 1 + s * (lens.k1 + s * (lens.k2 + s * lens.k3)) + 2 * (lens.p2 * x + lens.p1 * y);
   const double slope = 2 * (lens.k1 + s * (2 * lens.k2 + s * 3 * lens.k3));  // 2 dR/ds
-  const double xy = slope * x * y + 2 * (lens.p2 * y + lens.p1 * x);
+  return {.x = x * diagonal + lens.p2 * s,
+          .y = y * diagonal + lens.p1 * s,
+          .xx = diagonal + x * (slope * x + 4 * lens.p2),
+          .xy = slope * x * y + 2 * (lens.p2 * y + lens.p1 * x),
+          .yy = diagonal + y * (slope * y + 4 * lens.p1)};
+}
+
+/// Distorted point of an ideal point, both on the plane z = 1.
+inline Eigen::Vector2d distort(const Distortion& lens, const Eigen::Vector2d& ideal) {
+  const DistortedPoint at = evaluate(lens, ideal.x(), ideal.y());
+  return {at.x, at.y};
+}
+
+/// Jacobian ∂distorted/∂ideal.
+inline Eigen::Matrix2d distortion_jacobian(const Distortion& lens, const Eigen::Vector2d& ideal) {
+  const DistortedPoint at = evaluate(lens, ideal.x(), ideal.y());
   Eigen::Matrix2d jacobian;
-  jacobian << diagonal + x * (slope * x + 4 * lens.p2), xy, xy, diagonal + y * (slope * y + 4 * lens.p1);
+  jacobian << at.xx, at.xy, at.xy, at.yy;
   return jacobian;
 }
 

@@ -98,7 +98,7 @@ void check(const std::vector<ImageSize>& sizes, const std::vector<double>& hfovs
   if (hfovs_deg.empty()) throw po::error("--hfov: name at least one");
   for (double hfov_deg : hfovs_deg)
     if (!(hfov_deg >= 1 && hfov_deg <= 175)) throw po::error("--hfov: must lie between 1 and 175 degrees");
-  if (std::string why; !bounds.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = bounds.fault(); !fault.empty()) throw po::error(fault);
 }
 
 }  // namespace

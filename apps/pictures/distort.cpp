@@ -10,6 +10,7 @@
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/label_algebra.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/view_fit.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"

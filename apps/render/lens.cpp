@@ -11,6 +11,7 @@
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/crop/crop.h"
 #include "distortion/label_algebra.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 
 namespace po = boost::program_options;

@@ -104,8 +104,7 @@ void inverse_map_pixel(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Case& c = all[i++ % all.size()];
-    const Eigen::AlignedBox2d box(1.3 * c.box.min(), 1.3 * c.box.max());
-    invert_tile(c.lens, c.box, c.camera, c.camera.width / 2 + 50, c.camera.height / 2 - 100, side, side,
+    invert_tile(c.lens, c.box, c.camera, {c.camera.width / 2 + 50, c.camera.height / 2 - 100, side, side},
                 *tile);
     benchmark::DoNotOptimize(tile->x[5]);
   }

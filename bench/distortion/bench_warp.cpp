@@ -5,6 +5,7 @@
 
 #include "distortion/crop/crop.h"
 #include "distortion/inverse/inverse_map.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/render_noise.h"
 #include "numbers/angles.h"
 #include "random/counter_hash.h"
@@ -73,7 +74,7 @@ void remap_cubic_area(benchmark::State& state, bool with_map) {
     for (int y0 = 0; y0 < fine.height; y0 += side)
       for (int x0 = 0; x0 < fine.width; x0 += side) {
         const int width = std::min(side, fine.width - x0), height = std::min(side, fine.height - y0);
-        invert_tile(scene.lens, frame_on_plane(scene.base), fine, x0, y0, width, height, *tile);
+        invert_tile(scene.lens, frame_on_plane(scene.base), fine, {x0, y0, width, height}, *tile);
         for (int y = 0; y < height; ++y)
           for (int x = 0; x < width; ++x) {
             const int index = tile->index(x, y);

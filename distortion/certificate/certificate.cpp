@@ -1,7 +1,9 @@
 #include "distortion/certificate/certificate.h"
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cstdio>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -33,8 +35,8 @@ double smallest_eigenvalue(double g, double R, double a, Interval c) {
 
 enum class End { smallest, largest };
 
-/// The smallest eigenvalue over the rectangle, or minus the largest: with the signs of g and R and the
-/// direction turned round, −J has the same form as J.
+/// The smallest eigenvalue over the rectangle, or minus the largest: −J has the same form as J, with the
+/// signs of g and R and the direction reversed.
 EnclosedMinimum extreme_eigenvalue(const PolarLens& lens, End end, const MinimumSearch& search) {
   const double sign = end == End::smallest ? 1 : -1;
   const auto smallest = [&](double g, double R, double a, Interval c) {
@@ -47,8 +49,8 @@ EnclosedMinimum extreme_eigenvalue(const PolarLens& lens, End end, const Minimum
   };
   const auto on_cell = [&](double r0, double r1, double enough) {
     const double a0 = lens.tangential * r0, a1 = lens.tangential * r1;
-    // Coarse: the worst g and R of the cell together. J is affine in a, so its smallest eigenvalue is concave
-    // in a: smallest at an end.
+    // Coarse bound: the worst g and the worst R of the cell, as if they occurred together. J is affine in a,
+    // so its smallest eigenvalue is concave in a and therefore smallest at an end of [a0, a1].
     const Interval g = lens.radial_slope.range(r0 * r0, r1 * r1), R = lens.radial.range(r0 * r0, r1 * r1);
     const double worst_g = end == End::smallest ? g.low : -g.high,
                  worst_R = end == End::smallest ? R.low : -R.high;
@@ -57,16 +59,17 @@ EnclosedMinimum extreme_eigenvalue(const PolarLens& lens, End end, const Minimum
     };
     if (const double on_disc = coarse(every_cosine); on_disc >= enough) return on_disc;
 
-    // Fine: along a ray, J is a convex combination of the matrices formed by the Bernstein coefficients of g,
-    // R and a, and the smallest eigenvalue is concave. Its error falls with the square of the cell's width.
+    // Fine bound: along a ray, J is a convex combination of the matrices formed by the Bernstein coefficients
+    // of g, R and a, and the smallest eigenvalue is concave. Its error falls with the square of the cell's
+    // width.
     std::optional<std::array<Form<6>, 2>> forms;
     const auto fine = [&](Interval c) {
       if (!forms) forms = {lens.radial_slope.in_radius(r0, r1), lens.radial.in_radius(r0, r1)};
       const auto& [g_form, R_form] = *forms;
-      double least = infinity;
+      double bound = infinity;
       for (int i = 0; i <= 6; ++i)
-        least = std::min(least, smallest(sign * g_form[i], sign * R_form[i], a0 + (a1 - a0) * i / 6, c));
-      return least;
+        bound = std::min(bound, smallest(sign * g_form[i], sign * R_form[i], a0 + (a1 - a0) * i / 6, c));
+      return bound;
     };
     return smallest_on_ring(lens, r0, [&](Interval c) {
       const double bound = coarse(c);
@@ -93,29 +96,21 @@ const char* dominant_term(const PolarLens& lens, double r, End end) {
 
 std::string refusal(const PolarLens& lens, const Certificate& certificate, End end, double eigenvalue,
                     double limit) {
-  char line[256];
-  std::snprintf(
-      line, sizeof line,
-      "at radius %.4g the %s eigenvalue of the lens' Jacobian is %.4g, %s %.4g%s; dominant term %s; the lens "
-      "scaled by %.4g would pass",
+  return fmt::format(
+      "at radius {:.4g} the {} eigenvalue of the lens' Jacobian is {:.4g}, {} {:.4g}{}; dominant term {}; "
+      "the lens scaled by {:.4g} would pass",
       certificate.witness_radius, end == End::smallest ? "smallest" : "largest", eigenvalue,
       end == End::smallest ? "below" : "above", limit, eigenvalue <= 0 ? " (the image folds)" : "",
       dominant_term(lens, certificate.witness_radius / lens.unit, end), certificate.largest_scale);
-  return line;
 }
 
 }  // namespace
 
-bool CertificateOptions::is_valid(std::string* why) const {
-  if (!(min_eigenvalue > 0 && min_eigenvalue < 1)) {
-    *why = "min_eigenvalue: must lie between 0 and 1";
-    return false;
-  }
-  if (!(max_eigenvalue > 1 && std::isfinite(max_eigenvalue))) {
-    *why = "max_eigenvalue: must be finite and above 1";
-    return false;
-  }
-  return true;
+std::string CertificateOptions::fault() const {
+  if (!(min_eigenvalue > 0 && min_eigenvalue < 1)) return "min_eigenvalue: must lie between 0 and 1";
+  if (!(max_eigenvalue > 1 && std::isfinite(max_eigenvalue)))
+    return "max_eigenvalue: must be finite and above 1";
+  return "";
 }
 
 Certificate certify(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
@@ -126,25 +121,25 @@ Certificate certify(const Distortion& lens, const Eigen::AlignedBox2d& rectangle
     return certificate;
   }
   const PolarLens polar = polar_lens(lens, rectangle);
-  const double least = options.min_eigenvalue + polar.rounding,
-               most = options.max_eigenvalue - polar.rounding;
-  const EnclosedMinimum smallest = extreme_eigenvalue(polar, End::smallest, {.threshold = least});
-  const EnclosedMinimum largest = extreme_eigenvalue(polar, End::largest, {.threshold = -most});
+  const double min_allowed = options.min_eigenvalue + polar.rounding,
+               max_allowed = options.max_eigenvalue - polar.rounding;
+  const EnclosedMinimum smallest = extreme_eigenvalue(polar, End::smallest, {.threshold = min_allowed});
+  const EnclosedMinimum largest = extreme_eigenvalue(polar, End::largest, {.threshold = -max_allowed});
   certificate.min_eigenvalue = smallest.proved - polar.rounding;
   certificate.max_eigenvalue = -largest.proved + polar.rounding;
 
   // The Jacobian of t·lens is I + t(J − I): its eigenvalues move along straight lines through 1.
   const auto scale_to = [](double room, double used) { return used > 0 ? room / used : infinity; };
-  const double scale_down = scale_to(1 - least, 1 - smallest.proved);
-  const double scale_up = scale_to(most - 1, -largest.proved - 1);
+  const double scale_down = scale_to(1 - min_allowed, 1 - smallest.proved);
+  const double scale_up = scale_to(max_allowed - 1, -largest.proved - 1);
   certificate.largest_scale = std::min(scale_down, scale_up) * (1 - 1e-12);
 
-  const bool is_least_nearer = scale_down <= scale_up;
-  certificate.witness_radius = (is_least_nearer ? smallest : largest).argument * polar.unit;
-  certificate.valid = smallest.proved >= least && largest.proved >= -most;
+  const bool is_smallest_nearer = scale_down <= scale_up;
+  certificate.witness_radius = (is_smallest_nearer ? smallest : largest).argument * polar.unit;
+  certificate.valid = smallest.proved >= min_allowed && largest.proved >= -max_allowed;
   if (!certificate.valid)
     certificate.why =
-        is_least_nearer
+        is_smallest_nearer
             ? refusal(polar, certificate, End::smallest, smallest.attained, options.min_eigenvalue)
             : refusal(polar, certificate, End::largest, -largest.attained, options.max_eigenvalue);
   return certificate;
@@ -154,10 +149,10 @@ bool is_certified(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
                   const CertificateOptions& options) {
   if (!is_finite(lens, rectangle)) return false;
   const PolarLens polar = polar_lens(lens, rectangle);
-  const double least = options.min_eigenvalue + polar.rounding,
-               most = options.max_eigenvalue - polar.rounding;
-  return extreme_eigenvalue(polar, End::smallest, {infinity, least}).proved >= least &&
-         extreme_eigenvalue(polar, End::largest, {infinity, -most}).proved >= -most;
+  const double min_allowed = options.min_eigenvalue + polar.rounding,
+               max_allowed = options.max_eigenvalue - polar.rounding;
+  return extreme_eigenvalue(polar, End::smallest, {infinity, min_allowed}).proved >= min_allowed &&
+         extreme_eigenvalue(polar, End::largest, {infinity, -max_allowed}).proved >= -max_allowed;
 }
 
 }  // namespace cps

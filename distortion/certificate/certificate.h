@@ -12,10 +12,12 @@ namespace cps {
 struct CertificateOptions {
   double min_eigenvalue = 0.15;
   double max_eigenvalue = 1.8;
-  bool is_valid(std::string* why) const;
+
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
-/// Asks nothing of a lens but that it does not fold.
+/// Requires only that the lens does not fold.
 inline constexpr CertificateOptions one_to_one{.min_eigenvalue = 1e-6, .max_eigenvalue = 1e6};
 
 /// Proof, or refutation, that a lens maps a rectangle one-to-one. Where the symmetric Jacobian is positive
@@ -23,10 +25,11 @@ inline constexpr CertificateOptions one_to_one{.min_eigenvalue = 1e-6, .max_eige
 /// are included.
 struct Certificate {
   bool valid = false;
-  double min_eigenvalue = 0,
-         max_eigenvalue = 0;  ///< proved: every eigenvalue lies between them (tight to 1e-5)
-  double witness_radius =
-      0;  ///< on the plane z = 1: where the eigenvalue nearest to refusal, or refused, is attained
+  /// Proved: every eigenvalue lies between them. Tight to 1e-5.
+  double min_eigenvalue = 0, max_eigenvalue = 0;
+  /// Radius on the plane z = 1 at which the eigenvalue that breaks a limit, or comes closest to it, is
+  /// attained.
+  double witness_radius = 0;
   double largest_scale = 0;  ///< the largest t for which t·lens is proved valid; infinite for no distortion
   std::string why;           ///< of a refusal, one line: radius, eigenvalue, dominant term; empty when valid
 };
@@ -35,13 +38,13 @@ struct Certificate {
 /// necessarily in its middle; one that does not is widened until it does. A lens or rectangle that is not
 /// finite is refused.
 ///
-/// On a ring about the principal point the eigenvalues have a closed-form worst direction, so the search is
-/// over the radius alone: g and R are bounded on a cell of radii by their Bernstein coefficients, the
-/// tangential terms at its ends.
+/// On a ring about the principal point the direction with the worst eigenvalue has a closed form, so the
+/// search is over the radius alone: on an interval of radii, the Bernstein coefficients of the radial terms g
+/// and R (polar_lens.h) bound them, and the tangential terms are bounded by their values at its ends.
 Certificate certify(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
                     const CertificateOptions& options = {});
 
-/// certify(…).valid without the bounds: for samplers.
+/// certify(…).valid, faster because it does not compute the bounds.
 bool is_certified(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
                   const CertificateOptions& options = {});
 

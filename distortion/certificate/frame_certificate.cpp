@@ -1,8 +1,9 @@
 #include "distortion/certificate/frame_certificate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "distortion/certificate/rim_gauge.h"
 
@@ -42,8 +43,8 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
   const auto gauge_at = [&](double scale) {
     return smallest_rim_gauge(lens, scaled_box(shape, scale), frame);
   };
-  // Outward from a rectangle that is too small for any lens worth the name, for as long as the lens does not
-  // fold.
+  // Grow a rectangle, at first far smaller than any lens needs, in steps of 2 % until its image contains the
+  // frame or the lens is no longer certified on it.
   constexpr double step = 1.02, first = 0.2;
   double outside = first, reach = 0;
   while (reach < 1) {
@@ -53,7 +54,8 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
     if (reach < 1) outside *= step;
   }
   if (reach < 1) {
-    // The lens stops being certified between the last step and this one: perhaps after its frame is reached.
+    // The lens stops being certified between the last step and this one, perhaps only beyond the frame:
+    // bisect.
     double certified = outside == first ? 0 : outside / step, refused_at = outside;
     while (refused_at - certified > 1e-9 * refused_at) {
       const double middle = 0.5 * (certified + refused_at);
@@ -63,11 +65,10 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
     if (reach < 1) {
       result.rectangle = scaled_box(shape, certified);
       result.certificate = certify(lens, result.rectangle, options);
-      char line[128];
-      std::snprintf(
-          line, sizeof line,
-          "the lens cannot be certified on all of the frame, only %.2f %% of the way: ", 100 * reach);
-      return refused(result, line + certify(lens, scaled_box(shape, outside), options).why);
+      return refused(
+          result,
+          fmt::format("the lens cannot be certified on all of the frame, only {:.2f} % of the way: {}",
+                      100 * reach, certify(lens, scaled_box(shape, outside), options).why));
     }
     outside = certified;
   }

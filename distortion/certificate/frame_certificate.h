@@ -9,21 +9,21 @@
 
 namespace cps {
 
-/// Certificate of a lens that came with a camera instead of a master: a calibration from elsewhere.
+/// Certificate of a lens on the frame of its own camera, as a calibration from elsewhere gives it (there is
+/// no master whose frame could be used).
 struct FrameCertificate {
   Certificate certificate;  ///< on `rectangle`
-  /// Of ideal points. Its image contains the whole frame; or, when there is no such rectangle, it is the
-  /// largest on which the lens is certified at all.
+  /// A rectangle of ideal points whose image contains the whole frame; if there is none, the largest
+  /// rectangle on which the lens is certified at all.
   Eigen::AlignedBox2d rectangle;
   std::string why;  ///< of a refusal, one line; empty when valid
   bool valid() const { return certificate.valid && why.empty(); }
 };
 
-/// The smallest rectangle B similar to `shape`, about the principal point, whose distorted rim stays outside
-/// the camera's frame, found by bisection, and the certificate on it. Valid: every pixel shows exactly one
-/// point of B. A camera without a size or a positive focal length, or with its principal point outside the
-/// frame, is refused. Without a shape, the frame's own is taken: for calibrations that come without
-/// a master.
+/// Finds, by bisection, the smallest rectangle B about the principal point, similar to `shape`, whose
+/// distorted rim stays outside the camera's frame, and certifies the lens on it. Valid: every pixel shows
+/// exactly one point of B. Refuses a camera without a positive size and focal length, or with its principal
+/// point outside the frame. `shape` defaults to the camera's own frame.
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
                                const CertificateOptions& options = {});
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,

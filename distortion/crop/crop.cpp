@@ -1,8 +1,9 @@
 #include "distortion/crop/crop.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "distortion/certificate/rim_gauge.h"
 #include "distortion/inverse/inverse.h"
@@ -25,27 +26,18 @@ std::vector<Eigen::Vector2d> rim_points(const Pinhole& camera) {
   return points;
 }
 
-template <typename... Numbers>
-Crop refused(Crop crop, const char* format, Numbers... numbers) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, numbers...);
+Crop refused(Crop crop, const std::string& why) {
   crop.valid = false;
-  crop.why = line;
+  crop.why = why;
   return crop;
 }
 
 }  // namespace
 
-bool CropOptions::is_valid(std::string* why) const {
-  if (!(max_zoom >= 1)) {
-    *why = "max_zoom: must be at least 1";
-    return false;
-  }
-  if (!(max_magnification >= 1)) {
-    *why = "max_magnification: must be at least 1";
-    return false;
-  }
-  return certificate.is_valid(why);
+std::string CropOptions::fault() const {
+  if (!(max_zoom >= 1)) return "max_zoom: must be at least 1";
+  if (!(max_magnification >= 1)) return "max_magnification: must be at least 1";
+  return certificate.fault();
 }
 
 double border_free_zoom(const Distortion& lens, const Pinhole& base,
@@ -53,7 +45,7 @@ double border_free_zoom(const Distortion& lens, const Pinhole& base,
   Pinhole unzoomed = base;
   unzoomed.cx = principal_point_px.x();
   unzoomed.cy = principal_point_px.y();
-  // The touching point stays inside by a millionth of a pixel, beyond the reach of rounding.
+  // Keeps the touching point inside by a millionth of a pixel, more than rounding can move it.
   constexpr double inwards = 1 + 1e-9;
   return std::max(1.0, inwards / smallest_rim_gauge(lens, frame_on_plane(base), frame_on_plane(unzoomed)));
 }
@@ -61,36 +53,35 @@ double border_free_zoom(const Distortion& lens, const Pinhole& base,
 Crop border_free_crop(const Distortion& lens, const Pinhole& base, const Eigen::Vector2d& principal_point_px,
                       const CropOptions& options) {
   Crop crop;
-  if (!options.is_valid(&crop.why)) return crop;
+  if (const std::string fault = options.fault(); !fault.empty()) return refused(crop, fault);
   if (base.width <= 0 || base.height <= 0 ||
       !(base.fx > 0 && base.fy > 0 && std::isfinite(base.fx * base.fy)))
     return refused(crop, "the base camera needs a positive size and positive focal lengths");
   const auto [cx, cy] = std::pair(principal_point_px.x(), principal_point_px.y());
   if (!is_inside_frame(base, principal_point_px))
-    return refused(crop, "the principal point (%.6g, %.6g) lies outside the %d x %d image", cx, cy,
-                   base.width, base.height);
+    return refused(crop, fmt::format("the principal point ({:.6g}, {:.6g}) lies outside the {} x {} image",
+                                     cx, cy, base.width, base.height));
 
   const Eigen::AlignedBox2d master = frame_on_plane(base);
   crop.certificate = certify(lens, master, options.certificate);
-  if (!crop.certificate.valid) {
-    crop.why = crop.certificate.why;
-    return crop;
-  }
+  if (!crop.certificate.valid) return refused(crop, crop.certificate.why);
   crop.zoom = border_free_zoom(lens, base, principal_point_px);
   crop.camera = {base.width, base.height, base.fx * crop.zoom, base.fy * crop.zoom, cx, cy};
   if (crop.zoom > options.max_zoom)
-    return refused(crop, "a border-free image needs zoom %.4g, above the cap %.4g", crop.zoom,
-                   options.max_zoom);
+    return refused(crop, fmt::format("a border-free image needs zoom {:.4g}, above the cap {:.4g}", crop.zoom,
+                                     options.max_zoom));
   if (const double magnification = crop.zoom * crop.certificate.max_eigenvalue;
       magnification > options.max_magnification)
-    return refused(crop, "magnification %.4g is above %.4g, what the oversampled master carries",
-                   magnification, options.max_magnification);
+    return refused(crop,
+                   fmt::format("magnification {:.4g} is above {:.4g}, what the oversampled master carries",
+                               magnification, options.max_magnification));
 
   for (const Eigen::Vector2d& pixel : rim_points(crop.camera)) {
     const Eigen::Vector2d distorted = to_plane(crop.camera, pixel);
     const auto ideal = undistort(lens, master, distorted);
     if (!ideal)
-      return refused(crop, "pixel corner (%.6g, %.6g) lies outside the master", pixel.x(), pixel.y());
+      return refused(
+          crop, fmt::format("pixel corner ({:.6g}, {:.6g}) lies outside the master", pixel.x(), pixel.y()));
     const double roundtrip_px = (to_pixel(crop.camera, distort(lens, *ideal)) - pixel).norm();
     crop.worst_roundtrip_px = std::max(crop.worst_roundtrip_px, roundtrip_px);
   }

@@ -8,15 +8,15 @@
 
 namespace cps {
 
-/// Everything that is called the field of view of one camera, radians. The three agree only for an
-/// undistorted camera with a centred principal point.
+/// The three things called "field of view" of one camera, radians. They agree only for an undistorted camera
+/// with a centred principal point.
 struct FieldsOfView {
-  /// 2·atan(W / 2fx) and 2·atan(H / 2fy): what a label says. Knows neither lens nor principal point.
+  /// The label's: 2·atan(W / 2fx) and 2·atan(H / 2fy). Independent of lens and principal point.
   double label_horizontal_rad = 0, label_vertical_rad = 0;
-  /// Left plus right half angle, upper plus lower, of the camera without its lens: what a simulator that
-  /// renders its ideal image has to cover when the principal point is off-centre.
+  /// The ideal camera's (without its lens): left plus right half angle, upper plus lower half angle. A
+  /// simulator that renders the ideal image has to cover these when the principal point is off-centre.
   double ideal_horizontal_rad = 0, ideal_vertical_rad = 0;
-  /// What the image really shows; empty when it sees beyond the rectangle on which the lens is certified.
+  /// The distorted image's; empty when it sees beyond the rectangle on which the lens is certified.
   std::optional<TrueFov> seen;
 };
 

@@ -31,7 +31,7 @@ double half_diagonal(const Eigen::AlignedBox2d& rectangle) {
   return 0.5 * rectangle.diagonal().norm();
 }
 
-/// Distance to the nearest bound, negative outside. Concave along every line through the space of
+/// Distance to the nearest bound, negative outside. Concave along every straight line in the space of
 /// coefficients.
 double margin(const LensBounds& bounds, const Distortion& lens, const Eigen::AlignedBox2d& rectangle) {
   const Certificate proof = certify(lens, rectangle, {bounds.min_eigenvalue, bounds.max_eigenvalue});
@@ -39,8 +39,7 @@ double margin(const LensBounds& bounds, const Distortion& lens, const Eigen::Ali
                    bounds.max_displacement - largest_displacement(lens, rectangle)});
 }
 
-/// The end of the interval where `margin_at` ≥ 0, between `inside` (where it is) and `outside` (where it is
-/// not).
+/// The last value with `margin_at` ≥ 0 on the way from `inside`, where that holds, to `outside`.
 template <typename Margin>
 double last_inside(double inside, double outside, Margin margin_at) {
   const double at_inside = margin_at(inside), at_outside = margin_at(outside);
@@ -55,10 +54,11 @@ double last_inside(double inside, double outside, Margin margin_at) {
       ascending ? at_inside : at_outside, ascending ? at_outside : at_inside, is_close, iterations);
   const double nearer = ascending ? a : b;
   if (margin_at(nearer) < 0) return inside;
-  return inside + (nearer - inside) * (1 - 1e-12);  // so that a drawn value's own rounding cannot lead out
+  return inside + (nearer - inside) * (1 - 1e-12);  // keeps the rounding of a drawn value inside the bounds
 }
 
-/// How far a coefficient could be from 0 if it alone used up the displacement, or the cap on |Q|.
+/// Bound on a coefficient's absolute value: the displacement limit (k1, k2, k3) or the cap on |(p1, p2)|
+/// rules out anything larger.
 double reach(const Distortion& lens, Coefficient which, const Eigen::AlignedBox2d& rectangle,
              const LensBounds& bounds) {
   const double unit = half_diagonal(rectangle), s = unit * unit;
@@ -68,14 +68,14 @@ double reach(const Distortion& lens, Coefficient which, const Eigen::AlignedBox2
   // At the farthest corner |D − x| ≥ |k_i| r^(2i+1) − the other terms.
   const double others = std::abs(lens.k1) * r2 + std::abs(lens.k2) * r2 * r2 +
                         std::abs(lens.k3) * r2 * r2 * r2 + 3 * std::hypot(lens.p1, lens.p2) * r;
-  const double most = 1.01 * (bounds.max_displacement * unit / r + others) + 1e-6;
+  const double max_term = 1.01 * (bounds.max_displacement * unit / r + others) + 1e-6;
   switch (which) {
     case Coefficient::k1:
-      return most / r2;
+      return max_term / r2;
     case Coefficient::k2:
-      return most / (r2 * r2);
+      return max_term / (r2 * r2);
     case Coefficient::k3:
-      return most / (r2 * r2 * r2);
+      return max_term / (r2 * r2 * r2);
     case Coefficient::p1:
       return std::sqrt(std::max(0.0, bounds.max_tangential * bounds.max_tangential / s - lens.p2 * lens.p2));
     case Coefficient::p2:
@@ -86,29 +86,19 @@ double reach(const Distortion& lens, Coefficient which, const Eigen::AlignedBox2
 
 }  // namespace
 
-bool LensBounds::is_valid(std::string* why) const {
-  if (!CertificateOptions{min_eigenvalue, max_eigenvalue}.is_valid(why)) return false;
-  if (!(max_displacement > 0 && max_displacement <= 1)) {
-    *why = "max_displacement: must lie between 0 and 1";
-    return false;
-  }
-  if (!(max_tangential >= 0 && max_tangential <= 1)) {
-    *why = "max_tangential: must lie between 0 and 1";
-    return false;
-  }
-  return true;
+std::string LensBounds::fault() const {
+  if (std::string fault = CertificateOptions{min_eigenvalue, max_eigenvalue}.fault(); !fault.empty())
+    return fault;
+  if (!(max_displacement > 0 && max_displacement <= 1)) return "max_displacement: must lie between 0 and 1";
+  if (!(max_tangential >= 0 && max_tangential <= 1)) return "max_tangential: must lie between 0 and 1";
+  return "";
 }
 
-bool PrincipalPointBounds::is_valid(std::string* why) const {
-  if (!(max_shift_x >= 0 && max_shift_x < 0.5 && max_shift_y >= 0 && max_shift_y < 0.5)) {
-    *why = "max_shift: must be at least 0 and below 0.5 of the image";
-    return false;
-  }
-  if (!(max_zoom >= 1)) {
-    *why = "max_zoom: must be at least 1";
-    return false;
-  }
-  return true;
+std::string PrincipalPointBounds::fault() const {
+  if (!(max_shift_x >= 0 && max_shift_x < 0.5 && max_shift_y >= 0 && max_shift_y < 0.5))
+    return "max_shift: must be at least 0 and below 0.5 of the image";
+  if (!(max_zoom >= 1)) return "max_zoom: must be at least 1";
+  return "";
 }
 
 double& coefficient(Distortion& lens, Coefficient which) {
@@ -155,7 +145,7 @@ Interval principal_point_limits(const Distortion& lens, const Pinhole& base,
   };
   if (!is_allowed(centre)) return {centre, centre};
 
-  // Outward in steps to the first one refused, then bisection within it.
+  // Step outwards to the first value refused, then bisect that step.
   const auto last_allowed = [&](double direction) {
     constexpr int steps = 8;
     double inside = centre;

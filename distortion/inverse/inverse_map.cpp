@@ -33,45 +33,39 @@ struct Interpolation {
   }
 };
 
-/// The functions below run over one row of targets (xd[i], yd), without branches or calls, so that they
-/// compile to vector instructions.
+/// The distorted points (xd[i], yd) of one row of pixels, which the functions below invert. Their loops have
+/// no branches or calls, so that they compile to vector instructions.
 struct TargetRow {
   int count;
   const double* xd;
   double yd;
 };
 
-/// One Newton step.
-void newton_step(const Distortion& lens, const TargetRow& target, double* __restrict x,
-                 double* __restrict y) {
-  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+/// One Newton step for each target, from the ideal points (x[i], y[i]).
+void newton_step(const Distortion lens, const TargetRow& target, double* __restrict x, double* __restrict y) {
+  const double yd = target.yd;
   const double* __restrict xd = target.xd;
   for (int i = 0; i < target.count; ++i) {
-    const double u = x[i], v = y[i], s = u * u + v * v;
-    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
-    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
-    const double slope = 2 * (k1 + s * (2 * k2 + s * 3 * k3));
-    const double xx = diagonal + u * (slope * u + 4 * p2), yy = diagonal + v * (slope * v + 4 * p1);
-    const double xy = slope * u * v + 2 * (p2 * v + p1 * u);
-    const double scale = 1 / (xx * yy - xy * xy);
-    x[i] = u - scale * (yy * error_u - xy * error_v);
-    y[i] = v - scale * (xx * error_v - xy * error_u);
+    const DistortedPoint at = evaluate(lens, x[i], y[i]);
+    const double error_x = at.x - xd[i], error_y = at.y - yd;
+    const double scale = 1 / (at.xx * at.yy - at.xy * at.xy);
+    x[i] = x[i] - scale * (at.yy * error_x - at.xy * error_y);
+    y[i] = y[i] - scale * (at.xx * error_y - at.xy * error_x);
   }
 }
 
-/// |D(x) − target|; infinite outside the box.
-void measure(const Distortion& lens, const Eigen::AlignedBox2d& box, const TargetRow& target,
+/// residual[i] = |D(x) − target|, infinite where x lies outside the box.
+void measure(const Distortion lens, const Eigen::AlignedBox2d& box, const TargetRow& target,
              const double* __restrict x, const double* __restrict y, double* __restrict residual) {
-  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2, yd = target.yd;
+  const double yd = target.yd;
   const double left = box.min().x(), right = box.max().x(), top = box.min().y(), bottom = box.max().y();
   const double* __restrict xd = target.xd;
   for (int i = 0; i < target.count; ++i) {
-    const double u = x[i], v = y[i], s = u * u + v * v;
-    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
-    const double error_u = u * diagonal + p2 * s - xd[i], error_v = v * diagonal + p1 * s - yd;
-    const bool inside = (u >= left) & (u <= right) & (v >= top) & (v <= bottom);
+    const DistortedPoint at = evaluate(lens, x[i], y[i]);
+    const double error_x = at.x - xd[i], error_y = at.y - yd;
+    const bool inside = (x[i] >= left) & (x[i] <= right) & (y[i] >= top) & (y[i] <= bottom);
     residual[i] =
-        inside ? std::sqrt(error_u * error_u + error_v * error_v) : std::numeric_limits<double>::infinity();
+        inside ? std::sqrt(error_x * error_x + error_y * error_y) : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -84,8 +78,9 @@ int count_failed(int count, const double* __restrict residual, double enough) {
 
 }  // namespace
 
-void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& camera, int x0,
-                 int y0, int width, int height, InverseMapTile& tile) {
+void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& camera,
+                 const TileRect& rect, InverseMapTile& tile) {
+  const auto [x0, y0, width, height] = rect;
   tile.width = width;
   tile.height = height;
   tile.outside = tile.fallbacks = 0;

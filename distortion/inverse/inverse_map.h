@@ -5,6 +5,7 @@
 
 #include "distortion/brown_conrady.h"
 #include "distortion/pinhole.h"
+#include "distortion/tile_rect.h"
 
 namespace cps {
 
@@ -22,11 +23,11 @@ struct InverseMapTile {
   int index(int column, int row) const { return row * side + column; }
 };
 
-/// Inverts the pixel centres (x0 … x0+width−1) × (y0 … y0+height−1): the robust inverse at 5 × 5 Chebyshev
-/// nodes of the tile, interpolation between them, then Newton steps on many pixels at once; whatever those
-/// leave with a residual above 1e-9 px, or outside the box, is solved again by undistort(). The lens is
+/// Inverts the pixel centres of `rect`, which is at most `side` wide and high: undistort() at 5 × 5 Chebyshev
+/// nodes of the tile, interpolation between them, then Newton steps on many pixels at once. Pixels that these
+/// leave with a residual above 1e-9 px, or outside the box, are solved again by undistort(). The lens must be
 /// certified on the box.
-void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& camera, int x0,
-                 int y0, int width, int height, InverseMapTile& tile);
+void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& camera,
+                 const TileRect& rect, InverseMapTile& tile);
 
 }  // namespace cps

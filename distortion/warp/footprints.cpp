@@ -14,26 +14,29 @@ struct KernelScale {
   double xx, xy, yx, yy;  ///< A_ij = scale_ij · jacobian_ij
   double variance;        ///< sigma²
 
-  KernelScale(const Pinhole& source, const Pinhole& output, double sigma_px)
-      : xx(source.fx / output.fx),
-        xy(source.fx / output.fy),
-        yx(source.fy / output.fx),
-        yy(source.fy / output.fy),
-        variance(sigma_px * sigma_px) {}
+  explicit KernelScale(const ResamplingGeometry& geometry)
+      : xx(geometry.source.fx / geometry.output.fx),
+        xy(geometry.source.fx / geometry.output.fy),
+        yx(geometry.source.fy / geometry.output.fx),
+        yy(geometry.source.fy / geometry.output.fy),
+        variance(geometry.sigma_px * geometry.sigma_px) {}
 };
 
-/// Kernels of one row from its Jacobians ∂source plane/∂output plane (symmetric: jxx, jxy, jyy); leaves the
-/// smaller eigenvalue of each covariance. Written without branches or calls so that it compiles to vector
-/// instructions.
-void kernels_of_row(const KernelScale& scale, int count, const double* __restrict jxx,
-                    const double* __restrict jxy, const double* __restrict jyy, float* __restrict conic_xx,
-                    float* __restrict conic_xy, float* __restrict conic_yy, float* __restrict half_width,
-                    float* __restrict half_height, float* __restrict smaller_variance) {
+/// Jacobians ∂source plane/∂output plane of one row of pixels; symmetric.
+struct JacobianRow {
+  alignas(32) std::array<double, side> xx, xy, yy;
+};
+
+/// Kernels of one row of the tile from its Jacobians. Written without branches or calls so that it compiles
+/// to vector instructions.
+void kernels_of_row(const KernelScale scale, const JacobianRow& __restrict jacobian, int row,
+                    FootprintTile& __restrict tile) {
   constexpr double pixel_variance = 1.0 / 12, support2 = kernel_support * kernel_support;
   constexpr double narrowest = narrowest_sigma_px * narrowest_sigma_px;
+  const int count = tile.width, first = row * side;
   for (int i = 0; i < count; ++i) {
-    const double axx = scale.xx * jxx[i], axy = scale.xy * jxy[i];
-    const double ayx = scale.yx * jxy[i], ayy = scale.yy * jyy[i];
+    const double axx = scale.xx * jacobian.xx[i], axy = scale.xy * jacobian.xy[i];
+    const double ayx = scale.yx * jacobian.xy[i], ayy = scale.yy * jacobian.yy[i];
     double cxx = scale.variance * (axx * axx + axy * axy) - pixel_variance;
     double cyy = scale.variance * (ayx * ayx + ayy * ayy) - pixel_variance;
     const double cxy = scale.variance * (axx * ayx + axy * ayy);
@@ -43,99 +46,76 @@ void kernels_of_row(const KernelScale& scale, int count, const double* __restric
     cxx += lacking;
     cyy += lacking;
     const double to_conic = 1 / ((cxx * cyy - cxy * cxy) * support2);
-    conic_xx[i] = static_cast<float>(cyy * to_conic);
-    conic_xy[i] = static_cast<float>(-cxy * to_conic);
-    conic_yy[i] = static_cast<float>(cxx * to_conic);
-    half_width[i] = static_cast<float>(kernel_support * std::sqrt(cxx));
-    half_height[i] = static_cast<float>(kernel_support * std::sqrt(cyy));
-    smaller_variance[i] = static_cast<float>(smaller);
+    tile.conic_xx[first + i] = static_cast<float>(cyy * to_conic);
+    tile.conic_xy[first + i] = static_cast<float>(-cxy * to_conic);
+    tile.conic_yy[first + i] = static_cast<float>(cxx * to_conic);
+    tile.half_width[first + i] = static_cast<float>(kernel_support * std::sqrt(cxx));
+    tile.half_height[first + i] = static_cast<float>(kernel_support * std::sqrt(cyy));
+    tile.smaller_variance[first + i] = static_cast<float>(smaller);
   }
 }
 
 /// The lens' Jacobian at a row of ideal points, or its inverse.
 template <bool inverted>
-void jacobians_of_row(const Distortion& lens, int count, const double* __restrict x,
-                      const double* __restrict y, double* __restrict jxx, double* __restrict jxy,
-                      double* __restrict jyy) {
-  const double k1 = lens.k1, k2 = lens.k2, k3 = lens.k3, p1 = lens.p1, p2 = lens.p2;
+void jacobians_of_row(const Distortion lens, int count, const double* __restrict x,
+                      const double* __restrict y, JacobianRow& __restrict jacobian) {
   for (int i = 0; i < count; ++i) {
-    const double u = x[i], v = y[i], s = u * u + v * v;
-    const double diagonal = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * u + p1 * v);
-    const double slope = 2 * (k1 + s * (2 * k2 + s * 3 * k3));
-    const double xx = diagonal + u * (slope * u + 4 * p2), yy = diagonal + v * (slope * v + 4 * p1);
-    const double xy = slope * u * v + 2 * (p2 * v + p1 * u);
-    const double scale = inverted ? 1 / (xx * yy - xy * xy) : 1;
-    jxx[i] = scale * (inverted ? yy : xx);
-    jxy[i] = scale * (inverted ? -xy : xy);
-    jyy[i] = scale * (inverted ? xx : yy);
+    const DistortedPoint at = evaluate(lens, x[i], y[i]);
+    const double scale = inverted ? 1 / (at.xx * at.yy - at.xy * at.xy) : 1;
+    jacobian.xx[i] = scale * (inverted ? at.yy : at.xx);
+    jacobian.xy[i] = scale * (inverted ? -at.xy : at.xy);
+    jacobian.yy[i] = scale * (inverted ? at.xx : at.yy);
   }
 }
 
-struct JacobianRow {
-  alignas(32) std::array<double, side> xx, xy, yy;
-};
-
-void kernels_at(const KernelScale& scale, int row, const JacobianRow& jacobian, FootprintTile& tile) {
-  const int first = row * side;
-  kernels_of_row(scale, tile.width, jacobian.xx.data(), jacobian.xy.data(), jacobian.yy.data(),
-                 &tile.conic_xx[first], &tile.conic_xy[first], &tile.conic_yy[first], &tile.half_width[first],
-                 &tile.half_height[first], &tile.smaller_variance[first]);
-}
-
-void start(FootprintTile& tile, int width, int height) {
-  tile.width = width;
-  tile.height = height;
+void start(FootprintTile& tile, const TileRect& rect) {
+  tile.width = rect.width;
+  tile.height = rect.height;
   tile.worst_residual_px = 0;
-  tile.fallbacks = 0;
   tile.weighted = false;
 }
 
 }  // namespace
 
-void distorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
-                           const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
-                           FootprintTile& tile) {
-  start(tile, width, height);
+void distorting_footprints(const ResamplingGeometry& geometry, const TileRect& rect, FootprintTile& tile) {
+  start(tile, rect);
   InverseMapTile ideal;
-  invert_tile(lens, box, output, x0, y0, width, height, ideal);
+  invert_tile(geometry.lens, geometry.box, geometry.output, rect, ideal);
   tile.worst_residual_px = ideal.worst_residual_px;
-  tile.fallbacks = ideal.fallbacks;
 
-  const KernelScale scale(source, output, sigma_px);
+  const Pinhole& source = geometry.source;
+  const KernelScale scale(geometry);
   JacobianRow jacobian;
-  for (int row = 0; row < height; ++row) {
+  for (int row = 0; row < rect.height; ++row) {
     const int first = row * side;
-    for (int i = 0; i < width; ++i) {
+    for (int i = 0; i < rect.width; ++i) {
       tile.x[first + i] = source.fx * ideal.x[first + i] + source.cx;
       tile.y[first + i] = source.fy * ideal.y[first + i] + source.cy;
     }
-    jacobians_of_row<true>(lens, width, &ideal.x[first], &ideal.y[first], jacobian.xx.data(),
-                           jacobian.xy.data(), jacobian.yy.data());
-    kernels_at(scale, row, jacobian, tile);
+    jacobians_of_row<true>(geometry.lens, rect.width, &ideal.x[first], &ideal.y[first], jacobian);
+    kernels_of_row(scale, jacobian, row, tile);
   }
 }
 
-void undistorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
-                             const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
-                             FootprintTile& tile) {
-  start(tile, width, height);
-  const KernelScale scale(source, output, sigma_px);
+void undistorting_footprints(const ResamplingGeometry& geometry, const TileRect& rect, FootprintTile& tile) {
+  start(tile, rect);
+  const KernelScale scale(geometry);
   const Eigen::Vector2d nowhere = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<double, side> x, y;
   JacobianRow jacobian;
-  for (int row = 0; row < height; ++row) {
+  for (int row = 0; row < rect.height; ++row) {
     const int first = row * side;
-    for (int i = 0; i < width; ++i) {
-      const Eigen::Vector2d ideal = to_plane(output, {x0 + i, y0 + row});
-      const Eigen::Vector2d position = box.contains(ideal) ? to_pixel(source, distort(lens, ideal)) : nowhere;
+    for (int i = 0; i < rect.width; ++i) {
+      const Eigen::Vector2d ideal = to_plane(geometry.output, {rect.x0 + i, rect.y0 + row});
+      const Eigen::Vector2d position =
+          geometry.box.contains(ideal) ? to_pixel(geometry.source, distort(geometry.lens, ideal)) : nowhere;
       x[i] = ideal.x();
       y[i] = ideal.y();
       tile.x[first + i] = position.x();
       tile.y[first + i] = position.y();
     }
-    jacobians_of_row<false>(lens, width, x.data(), y.data(), jacobian.xx.data(), jacobian.xy.data(),
-                            jacobian.yy.data());
-    kernels_at(scale, row, jacobian, tile);
+    jacobians_of_row<false>(geometry.lens, rect.width, x.data(), y.data(), jacobian);
+    kernels_of_row(scale, jacobian, row, tile);
   }
 }
 

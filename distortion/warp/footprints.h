@@ -6,6 +6,7 @@
 #include "distortion/brown_conrady.h"
 #include "distortion/inverse/inverse_map.h"
 #include "distortion/pinhole.h"
+#include "distortion/tile_rect.h"
 
 namespace cps {
 
@@ -19,35 +20,37 @@ inline constexpr double kernel_support = 3.1622776601683795;  // √10 standard 
 inline constexpr double narrowest_sigma_px = 0.42;
 
 /// For each pixel of an output tile: where the ray through its centre meets the source image, and the kernel
-/// that gathers the pixel from it. Pixels of the source, row-major with stride `side`.
+/// that gathers the pixel from it. In source pixels; arrays are row-major with stride `side`.
 struct FootprintTile {
   static constexpr int side = InverseMapTile::side;
-  int width = 0, height = 0;
+  int width = 0, height = 0;                         ///< used part, ≤ side
   alignas(32) std::array<double, side * side> x, y;  ///< centre; NaN: the ray is outside the source
   /// C⁻¹ / support², and the half width and height of the ellipse's bounding box.
   alignas(32) std::array<float, side * side> conic_xx, conic_xy, conic_yy, half_width, half_height;
   /// Smaller eigenvalue of C, before it is raised to narrowest_sigma_px² where it is below.
   alignas(32) std::array<float, side * side> smaller_variance;
-  std::array<float, side * side> weight;  ///< what a gathered pixel is multiplied by, where `weighted`
+  std::array<float, side * side> weight;  ///< factor on each gathered pixel; read only if `weighted`
   bool weighted = false;
-  double worst_residual_px = 0;  ///< of the inversion, where there was one
-  int fallbacks = 0;
+  double worst_residual_px = 0;  ///< of the inversion; 0 where there was none
 };
 
-/// Footprints of an output pixel with standard deviation `sigma_px` (output pixels): with A = ∂source
-/// px/∂output px, the covariance is C = sigma² A Aᵀ − I/12, the second term because the source's pixels are
-/// already averages over their squares.
-///
-/// Distorting: the output is seen through the lens, the source is ideal; `box` is the source's certified
-/// rectangle.
-void distorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
-                           const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
-                           FootprintTile& tile);
+/// Resampling through a lens: of which camera's image, into which, with which kernel.
+struct ResamplingGeometry {
+  Distortion lens;
+  Eigen::AlignedBox2d box;  ///< ideal points on which the lens is one-to-one
+  Pinhole source, output;
+  double sigma_px = 0;  ///< standard deviation of the output pixel's kernel, output pixels
+};
 
-/// Undistorting: the output is ideal, the source was seen through the lens, which is one-to-one on `box`;
-/// output pixels beyond it get NaN, since a lens that folds there would show them something seen already.
-void undistorting_footprints(const Distortion& lens, const Eigen::AlignedBox2d& box, const Pinhole& source,
-                             const Pinhole& output, double sigma_px, int x0, int y0, int width, int height,
-                             FootprintTile& tile);
+/// Footprints of the output pixels in `rect`, which is at most FootprintTile::side wide and high. With
+/// A = ∂source px/∂output px, the kernel's covariance is C = sigma² A Aᵀ − I/12; the second term because the
+/// source's pixels are already averages over their squares.
+///
+/// Distorting: the output is seen through the lens, the source is ideal.
+void distorting_footprints(const ResamplingGeometry& geometry, const TileRect& rect, FootprintTile& tile);
+
+/// Undistorting: the output is ideal, the source was seen through the lens. Output pixels beyond the box get
+/// NaN, since a lens that folds there would show a second time what it already shows inside.
+void undistorting_footprints(const ResamplingGeometry& geometry, const TileRect& rect, FootprintTile& tile);
 
 }  // namespace cps

@@ -27,8 +27,8 @@ void gather_channels(const PlanarPatch& patch, const FootprintTile& tile, int in
   const float xx = tile.conic_xx[index], xy = 2 * tile.conic_xy[index], yy = tile.conic_yy[index];
   const float first_x = static_cast<float>(bounds.x0 - tile.x[index]),
               first_y = static_cast<float>(bounds.y0 - tile.y[index]);
-  const std::size_t plane = patch.stride * patch.height;
-  const float* corner = patch.row(0, bounds.y0) + (bounds.x0 - patch.x0);
+  const std::size_t plane = patch.stride * patch.rect.height;
+  const float* corner = patch.row(0, bounds.y0) + (bounds.x0 - patch.rect.x0);
 
   Float8 weights{}, sums[channels]{};
   for (int column = 0; column <= bounds.x1 - bounds.x0; column += lanes) {
@@ -51,12 +51,10 @@ void gather_channels(const PlanarPatch& patch, const FootprintTile& tile, int in
 
 }  // namespace
 
-void read_patch(const OIIO::ImageBuf& image, int x0, int y0, int width, int height, PlanarPatch& patch) {
+void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& patch) {
   const OIIO::ImageSpec& spec = image.spec();
-  patch.x0 = x0;
-  patch.y0 = y0;
-  patch.width = width;
-  patch.height = height;
+  const auto [x0, y0, width, height] = rect;
+  patch.rect = rect;
   patch.channels = spec.nchannels;
   patch.stride = width + lanes;
   patch.values.assign(patch.stride * height * patch.channels + lanes, 0.0f);

@@ -11,19 +11,19 @@ namespace cps {
 /// A rectangle of an image as float planes, one per channel, of rows padded so that eight-wide loads stay
 /// inside.
 struct PlanarPatch {
-  int x0 = 0, y0 = 0, width = 0, height = 0, channels = 0;
+  TileRect rect;
+  int channels = 0;
   std::size_t stride = 0;
   std::vector<float> values;
 
   const float* row(int channel, int y) const {
-    return &values[(std::size_t(channel) * height + (y - y0)) * stride];
+    return &values[(std::size_t(channel) * rect.height + (y - rect.y0)) * stride];
   }
 };
 
-/// Copies [x0, x0+width) × [y0, y0+height) of an image held in memory, any pixel type (integers as fractions
-/// of their largest value). Unchecked: the rectangle lies inside the image. `patch` keeps its memory between
-/// calls.
-void read_patch(const OIIO::ImageBuf& image, int x0, int y0, int width, int height, PlanarPatch& patch);
+/// Copies a rectangle of an image held in memory, any pixel type (integers as fractions of their largest
+/// value). Unchecked: the rectangle lies inside the image. `patch` keeps its memory between calls.
+void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& patch);
 
 /// Whole source pixels inside a footprint's bounding box.
 struct PixelBounds {

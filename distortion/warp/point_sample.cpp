@@ -8,8 +8,8 @@
 namespace cps {
 namespace {
 
-/// Between four neighbours of one surface 1/z differs by less than this share; more is taken for an edge.
-constexpr double largest_relative_step = 0.05;
+/// Where 1/z differs by more than this share between four neighbours, an edge is assumed among them.
+constexpr double max_relative_step = 0.05;
 
 struct Position {
   int x, y;     ///< nearest pixel
@@ -26,9 +26,9 @@ double depth_at(const OIIO::ImageBuf& source, const Position& at, int channel) {
   const int right = std::min(left + 1, spec.width - 1), bottom = std::min(top + 1, spec.height - 1);
   const double a = inverse(left, top), b = inverse(right, top), c = inverse(left, bottom),
                d = inverse(right, bottom);
-  const auto [least, most] = std::minmax({a, b, c, d});
+  const auto [min, max] = std::minmax({a, b, c, d});
   // An infinite 1/z is a depth of 0: nothing was measured there.
-  if (!(most - least <= largest_relative_step * most) || std::isinf(most)) return 1 / inverse(at.x, at.y);
+  if (!(max - min <= max_relative_step * max) || std::isinf(max)) return 1 / inverse(at.x, at.y);
   const double fx = std::clamp(at.u - left, 0.0, 1.0), fy = std::clamp(at.v - top, 0.0, 1.0);
   return 1 / ((1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d));
 }

@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,17 +17,17 @@
 namespace cps {
 namespace {
 
-/// One worker's buffers and tallies.
+/// One worker thread's buffers and tallies.
 struct Worker {
   std::unique_ptr<FootprintTile> tile = std::make_unique<FootprintTile>();
   PlanarPatch patch;
   std::vector<PixelBounds> bounds = std::vector<PixelBounds>(FootprintTile::side * FootprintTile::side);
   std::vector<float> row;
   double worst_residual_px = 0, smallest_variance = std::numeric_limits<double>::infinity();
-  std::int64_t uncovered = 0, fallbacks = 0;
+  std::int64_t uncovered = 0;
 };
 
-/// Gathers one tile of the output whose footprints are known.
+/// Gathers the tile of the output at (x0, y0) through the footprints in `worker.tile`.
 void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, OIIO::ImageBuf& output) {
   const FootprintTile& tile = *worker.tile;
   constexpr PixelBounds uncovered{-1, -1, -1, -1};
@@ -48,7 +47,7 @@ void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, O
              std::max(all.y1, bounds.y1)};
     }
   if (all.x1 >= all.x0)
-    read_patch(source, all.x0, all.y0, all.x1 - all.x0 + 1, all.y1 - all.y0 + 1, worker.patch);
+    read_patch(source, {all.x0, all.y0, all.x1 - all.x0 + 1, all.y1 - all.y0 + 1}, worker.patch);
 
   const OIIO::ImageSpec& spec = output.spec();
   worker.row.resize(std::size_t(tile.width) * spec.nchannels);
@@ -71,7 +70,6 @@ void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, O
 
 OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
                         const Footprints& footprints, WarpSummary* summary) {
-  const auto start = std::chrono::steady_clock::now();
   OIIO::ImageSpec spec(output.width, output.height, source.spec().nchannels, source.spec().format);
   spec.channelnames = source.spec().channelnames;
   OIIO::ImageBuf image(spec);
@@ -87,10 +85,9 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
         for (int row = range.rows().begin(); row < range.rows().end(); ++row)
           for (int column = range.cols().begin(); column < range.cols().end(); ++column) {
             const int x0 = column * side, y0 = row * side;
-            footprints(x0, y0, std::min(side, output.width - x0), std::min(side, output.height - y0),
+            footprints({x0, y0, std::min(side, output.width - x0), std::min(side, output.height - y0)},
                        *worker.tile);
             worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
-            worker.fallbacks += worker.tile->fallbacks;
             if (options.resampling == Resampling::footprint)
               gather_tile(source, x0, y0, worker, image);
             else
@@ -105,10 +102,8 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
     result.worst_residual_px = std::max(result.worst_residual_px, worker.worst_residual_px);
     smallest_variance = std::min(smallest_variance, worker.smallest_variance);
     result.uncovered_pixels += worker.uncovered;
-    result.fallbacks += worker.fallbacks;
   }
   result.smallest_kernel_sigma_px = std::sqrt(std::max(0.0, smallest_variance));
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (summary) *summary = result;
 
   if (options.require_coverage && result.uncovered_pixels > 0)

@@ -1,9 +1,9 @@
 #include "distortion/warp/view_fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <functional>
 #include <limits>
 #include <memory>
 
@@ -13,7 +13,7 @@
 #include "distortion/label_algebra.h"
 #include "distortion/warp/footprints.h"
 #include "distortion/warp/gather.h"
-#include "distortion/warp/warp.h"
+#include "distortion/warp/warp_options.h"
 
 namespace cps {
 namespace {
@@ -22,30 +22,31 @@ ViewFit refused(const std::string& why) {
   return {.valid = false, .camera = {}, .why = why};
 }
 
-/// Fills the footprints of one tile of the output at `camera`.
-using FootprintsAt =
-    std::function<void(const Pinhole& camera, int x0, int y0, int width, int height, FootprintTile& tile)>;
+/// distorting_footprints or undistorting_footprints.
+using MakeFootprints = void (*)(const ResamplingGeometry& geometry, const TileRect& rect,
+                                FootprintTile& tile);
 
-/// Whether every pixel on the frame's rim finds its whole footprint in the source; those inside it then do
-/// too.
-bool is_rim_covered(const FootprintsAt& footprints, const Pinhole& camera, const Pinhole& source) {
+/// Whether every pixel on the output's rim finds its whole footprint in the source; the pixels inside the rim
+/// then do too.
+bool is_rim_covered(MakeFootprints make_footprints, const ResamplingGeometry& geometry) {
   constexpr int side = FootprintTile::side;
+  const Pinhole &output = geometry.output, &source = geometry.source;
   const auto tile = std::make_unique<FootprintTile>();
-  const auto is_covered = [&](int x0, int y0, int width, int height) {
-    footprints(camera, x0, y0, width, height, *tile);
-    for (int row = 0; row < height; ++row)
-      for (int column = 0; column < width; ++column) {
+  const auto is_covered = [&](const TileRect& rect) {
+    make_footprints(geometry, rect, *tile);
+    for (int row = 0; row < rect.height; ++row)
+      for (int column = 0; column < rect.width; ++column) {
         if (!is_footprint_inside(*tile, row * side + column, source.width, source.height)) return false;
       }
     return true;
   };
-  for (int x0 = 0; x0 < camera.width; x0 += side) {
-    const int width = std::min(side, camera.width - x0);
-    if (!is_covered(x0, 0, width, 1) || !is_covered(x0, camera.height - 1, width, 1)) return false;
+  for (int x0 = 0; x0 < output.width; x0 += side) {
+    const int width = std::min(side, output.width - x0);
+    if (!is_covered({x0, 0, width, 1}) || !is_covered({x0, output.height - 1, width, 1})) return false;
   }
-  for (int y0 = 0; y0 < camera.height; y0 += side) {
-    const int height = std::min(side, camera.height - y0);
-    if (!is_covered(0, y0, 1, height) || !is_covered(camera.width - 1, y0, 1, height)) return false;
+  for (int y0 = 0; y0 < output.height; y0 += side) {
+    const int height = std::min(side, output.height - y0);
+    if (!is_covered({0, y0, 1, height}) || !is_covered({output.width - 1, y0, 1, height})) return false;
   }
   return true;
 }
@@ -57,18 +58,21 @@ Pinhole zoomed(const Pinhole& camera, double zoom) {
   return result;
 }
 
-/// The smallest zoom ≥ `least` at which the rim is covered; infinite if none is below 1000 times that.
-double smallest_covered_zoom(const FootprintsAt& footprints, const Pinhole& camera, const Pinhole& source,
-                             double least) {
+/// The smallest zoom of the output, at least `min_zoom`, at which its rim is covered; infinite if none is
+/// below 1000 · min_zoom.
+double smallest_covered_zoom(MakeFootprints make_footprints, const ResamplingGeometry& geometry,
+                             double min_zoom) {
   const auto is_covered = [&](double zoom) {
-    return is_rim_covered(footprints, zoomed(camera, zoom), source);
+    ResamplingGeometry at_zoom = geometry;
+    at_zoom.output = zoomed(geometry.output, zoom);
+    return is_rim_covered(make_footprints, at_zoom);
   };
-  if (is_covered(least)) return least;
-  double low = least, high = 1.01 * least;
+  if (is_covered(min_zoom)) return min_zoom;
+  double low = min_zoom, high = 1.01 * min_zoom;
   while (!is_covered(high)) {
     low = high;
     high *= 1.05;
-    if (high > 1000 * least) return std::numeric_limits<double>::infinity();
+    if (high > 1000 * min_zoom) return std::numeric_limits<double>::infinity();
   }
   while (high - low > 1e-9 * high) {
     const double middle = 0.5 * (low + high);
@@ -87,20 +91,14 @@ ViewFit fit_distorted_view(const Pinhole& source, const CalibratedCamera& wanted
   const Eigen::AlignedBox2d usable = proof.rectangle.intersection(shown);
   const double border_free =
       1 / smallest_rim_gauge(wanted.distortion, usable, frame_on_plane(wanted.pinhole));
-  const FootprintsAt footprints = [&](const Pinhole& camera, int x0, int y0, int width, int height,
-                                      FootprintTile& tile) {
-    distorting_footprints(wanted.distortion, usable, source, camera, sigma_px, x0, y0, width, height, tile);
-  };
   const bool shows_enough = proof.valid() && shown.contains(proof.rectangle);
-  const double zoom = smallest_covered_zoom(footprints, wanted.pinhole, source,
+  const double zoom = smallest_covered_zoom(distorting_footprints,
+                                            {wanted.distortion, usable, source, wanted.pinhole, sigma_px},
                                             shows_enough ? 1.0 : std::max(1.0, border_free * (1 + 1e-9)));
-  if (!(zoom <= max_zoom)) {
-    char line[160];
-    std::snprintf(line, sizeof line,
-                  "an image without black border needs zoom %.4g, above the cap %.4g: render a wider source",
-                  zoom, max_zoom);
-    return refused(line);
-  }
+  if (!(zoom <= max_zoom))
+    return refused(fmt::format(
+        "an image without black border needs zoom {:.4g}, above the cap {:.4g}: render a wider source", zoom,
+        max_zoom));
   return {.valid = true, .camera = zoomed(wanted.pinhole, zoom), .why = {}};
 }
 
@@ -112,8 +110,8 @@ ViewFit fit_straight_view(const CalibratedCamera& source, Keep keep, int width, 
     return {.valid = true, .camera = scaled.pinhole, .why = {}};
   }
 
-  // The widest extent of what the source shows, or of what is proved of it, decides Keep::all, and is a start
-  // for Keep::valid.
+  // Half extent of everything the source shows (of its certified part, where the whole is not certified):
+  // decides the zoom of Keep::all, and is where the search for Keep::valid starts.
   const Pinhole& camera = source.pinhole;
   Eigen::Vector2d farthest = Eigen::Vector2d::Zero();
   if (!proof.valid()) farthest = proof.rectangle.min().cwiseAbs().cwiseMax(proof.rectangle.max());
@@ -132,12 +130,8 @@ ViewFit fit_straight_view(const CalibratedCamera& source, Keep keep, int width, 
                            .cy = 0.5 * (height - 1)};
   if (keep == Keep::all) return {.valid = true, .camera = everything, .why = {}};
 
-  const FootprintsAt footprints = [&](const Pinhole& output, int x0, int y0, int tile_width, int tile_height,
-                                      FootprintTile& tile) {
-    undistorting_footprints(source.distortion, proof.rectangle, camera, output, sigma_px, x0, y0, tile_width,
-                            tile_height, tile);
-  };
-  const double zoom = smallest_covered_zoom(footprints, everything, camera, 1);
+  const double zoom = smallest_covered_zoom(
+      undistorting_footprints, {source.distortion, proof.rectangle, camera, everything, sigma_px}, 1);
   if (!std::isfinite(zoom)) return refused("no part of the picture fills a frame");
   return {.valid = true, .camera = zoomed(everything, zoom), .why = {}};
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "distortion/warp/warp.h"
+#include "distortion/warp/master_camera.h"
 #include "sampler/lenses/real_lens_prior.h"
 #include "sampler/lenses/sequential_draw.h"
 #include "sampler/lenses/shape_prior.h"

@@ -69,7 +69,12 @@ bool LensOptions::is_valid(std::string* why) const {
     *why = "coefficients, k1_min, k1_max: need lens_draw = sequential; a prior draws all of them together";
     return false;
   }
-  return bounds.is_valid(why) && principal_point.is_valid(why);
+  for (const std::string& fault : {bounds.fault(), principal_point.fault()})
+    if (!fault.empty()) {
+      *why = fault;
+      return false;
+    }
+  return true;
 }
 
 }  // namespace cps

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "distortion/warp/warp.h"
+#include "distortion/warp/master_camera.h"
 
 namespace cps {
 

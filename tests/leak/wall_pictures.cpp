@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "distortion/inverse/inverse_map.h"
+#include "distortion/warp/master_camera.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"
 #include "sensor/develop.h"
@@ -32,7 +33,8 @@ OIIO::ImageBuf bilinear(const OIIO::ImageBuf& picture, const Pinhole& source, co
   for (int y0 = 0; y0 < height_px; y0 += side)
     for (int x0 = 0; x0 < width_px; x0 += side) {
       const int width = std::min(side, width_px - x0), height = std::min(side, height_px - y0);
-      invert_tile(lens.distortion, frame_on_plane(lens.base), lens.crop.camera, x0, y0, width, height, *tile);
+      invert_tile(lens.distortion, frame_on_plane(lens.base), lens.crop.camera, {x0, y0, width, height},
+                  *tile);
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
           const int index = tile->index(x, y);

@@ -1,5 +1,6 @@
 #include "tests/recalibration/trial.h"
 
+#include "distortion/warp/master_camera.h"
 #include "numbers/angles.h"
 #include "tests/recalibration/corner_search.h"
 #include "tests/recalibration/photograph.h"

@@ -2,6 +2,7 @@
 
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/crop/crop.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "numbers/angles.h"
 #include "renderer/camera_rays.h"

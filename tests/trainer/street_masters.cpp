@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "dataset/job/master_file.h"
-#include "distortion/warp/warp.h"
+#include "distortion/warp/master_camera.h"
 #include "files/files.h"
 #include "numbers/angles.h"
 #include "sampler/recipe/recipe_keys.h"

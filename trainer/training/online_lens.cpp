@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "distortion/warp/warp.h"
+#include "distortion/warp/master_camera.h"
 
 namespace cps {
 namespace {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "distortion/crop/crop.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "numbers/angles.h"
 #include "tests/apps/cps_program.h"

@@ -95,7 +95,7 @@ TEST_CASE("the tile map agrees with the inverse point by point") {
               height = 1 + int(random_below(stream, 6000 + i, 64));
     const int x0 = int(random_below(stream, 7000 + i, camera.width - width + 1)),
               y0 = i % 2 ? 0 : camera.height - height;
-    invert_tile(lens, box, camera, x0, y0, width, height, *tile);
+    invert_tile(lens, box, camera, {x0, y0, width, height}, *tile);
     CHECK(tile->worst_residual_px < 1e-9);
     int outside = 0;
     for (int row = 0; row < height; ++row)

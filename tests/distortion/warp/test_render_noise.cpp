@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "distortion/crop/crop.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/render_noise.h"
 #include "numbers/angles.h"
 #include "random/counter_hash.h"

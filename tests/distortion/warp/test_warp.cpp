@@ -10,6 +10,7 @@
 #include "distortion/crop/crop.h"
 #include "distortion/inverse/inverse.h"
 #include "distortion/warp/footprints.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "numbers/angles.h"
 #include "tests/distortion/barrel.h"

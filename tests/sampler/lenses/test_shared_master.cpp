@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/shared_master.h"

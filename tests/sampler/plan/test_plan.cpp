@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "distortion/warp/warp.h"
+#include "distortion/warp/master_camera.h"
 #include "sampler/plan/plan.h"
 #include "tests/sampler/plain_scene.h"
 

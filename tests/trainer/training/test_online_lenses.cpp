@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "distortion/certificate/certificate.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "files/files.h"
 #include "numbers/angles.h"
