@@ -7,7 +7,7 @@
 namespace cps {
 namespace {
 
-/// Evenly spread over the sphere: a Fibonacci lattice (González 2010).
+/// Directions spread evenly over the sphere: a Fibonacci lattice (González 2010).
 const std::array<Eigen::Vector3f, 256>& directions() {
   static const auto lattice = [] {
     std::array<Eigen::Vector3f, 256> unit;

@@ -29,7 +29,8 @@ bool is_light(const char* name, const Eigen::Vector3f& color, std::string* why) 
 }  // namespace
 
 bool Daylight::is_valid(std::string* why) const {
-  // The darkest clear sky is that of the end of civil twilight; a sun that is set by hand may stand anywhere.
+  // A clear sky is computed down to the end of civil twilight (−6°); a sun of given irradiance may stand
+  // anywhere.
   const double lowest_deg = sun_irradiance_klx ? -90 : sky == SkyModel::clear ? -6 : 0;
   if (sky == SkyModel::image && sky_image.empty()) return refuse("sky_image: names no file", why);
   return within("sun_elevation_deg", sun_elevation_deg, lowest_deg, 90, why) &&

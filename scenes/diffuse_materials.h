@@ -4,8 +4,8 @@
 
 namespace cps {
 
-/// Leaves of every material only what a Lambert surface has: base colour and alpha, and emission. For
-/// comparisons with renderers whose glossy materials differ.
+/// Reduces every material to a Lambert surface: base colour, alpha and emission. For comparisons with
+/// renderers whose glossy materials differ.
 void make_diffuse(Scene& scene);
 
 }  // namespace cps

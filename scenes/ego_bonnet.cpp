@@ -9,8 +9,8 @@ namespace {
 constexpr int along_cells = 24, across_cells = 32;
 constexpr float screen_x_m = 2.15f, front_x_m = 3.55f, screen_height_m = 1.0f;
 
-/// `along` from the windscreen (0) to the grille (1), `across` from the right wing (−1) to the left (1); in
-/// the vehicle's frame.
+/// A point of the bonnet in the vehicle frame: `along` from the windscreen (0) to the grille (1), `across`
+/// from the right wing (−1) to the left (1).
 Eigen::Vector3f bonnet_point(float along, float across) {
   const float half_width_m = 0.86f - 0.12f * along * along;
   const float fall_m = 0.14f * std::pow(along, 1.6f) + 0.18f * std::pow(along, 12.0f);

@@ -4,10 +4,10 @@
 
 namespace cps {
 
-/// Whether a mesh is a shell turned inside out: nearly closed (at most a tenth of its edges are open, and it
-/// does not gape like a valley) with its fronts facing inwards, like the outline hulls of drawn-looking
-/// models and sky domes. Under a single-sided material such a shell shows its far side only; taken for a
-/// solid it would keep all light from what is inside.
+/// Whether a mesh is a shell turned inside out: front faces inwards, at most a tenth of its edges open, and
+/// not wide open like a valley. Sky domes and the outline hulls of cartoon-like models are such shells. With
+/// a single-sided material only the far side of such a shell is visible; treated as solid it would block all
+/// light to what is inside.
 bool is_inside_out(const Mesh& mesh);
 
 }  // namespace cps

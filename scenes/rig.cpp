@@ -12,7 +12,7 @@ bool refuse(std::string* why, const std::string& text) {
   return false;
 }
 
-/// Names become folder names.
+/// Camera names become folder names.
 bool is_plain_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 &&
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==

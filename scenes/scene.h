@@ -7,23 +7,22 @@
 #include <string>
 #include <vector>
 
-/// What stands before the camera, as plain data. World frame: glTF's, y up, metres.
+/// The scene before the camera, as plain data. World frame: glTF's, y up, metres.
 namespace cps {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
 
-/// An image and how to look it up. Texels are RGBA, 8 bit, rows from the top; uv (0,0) is the top-left
-/// corner.
+/// An image and its sampler. Texels are RGBA, 8 bit, rows from the top; uv (0,0) is the top-left corner.
 struct Texture {
   std::string name;
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
-  bool srgb = false;  ///< colour (decode before filtering) or data
+  bool srgb = false;  ///< colour, to be decoded before filtering; else data
   bool nearest = false;
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
 };
 
-/// Which texture a material reads: −1 for none. `uv_transform` is KHR_texture_transform's.
+/// A material's texture (−1: none) and its coordinates. `uv_transform` is that of KHR_texture_transform.
 struct TextureSlot {
   int texture = -1;
   int uv_set = 0;
@@ -32,7 +31,7 @@ struct TextureSlot {
 
 enum class AlphaMode { opaque, mask, blend };
 
-/// glTF 2.0 metallic-roughness, with the Khronos extensions that cities use. Factors are linear.
+/// A glTF 2.0 metallic-roughness material with the Khronos extensions that cities use. Factors are linear.
 struct Material {
   std::string name;
   Eigen::Vector4f base_color = {1, 1, 1, 1};
@@ -44,19 +43,20 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
 
-  float ior = 1.5f;    ///< index of refraction (KHR_materials_ior); 0: reflects everything
-  float specular = 1;  ///< strength of the dielectric's reflection (KHR_materials_specular), texture's alpha
-  Eigen::Vector3f specular_color = {1, 1, 1};  ///< tints it at normal incidence; may exceed 1
+  float ior = 1.5f;    ///< index of refraction (KHR_materials_ior); 0: total reflection
+  float specular = 1;  ///< strength of dielectric reflection (KHR_materials_specular); texture: alpha
+  Eigen::Vector3f specular_color = {1, 1, 1};  ///< its tint at normal incidence; may exceed 1
   TextureSlot specular_texture, specular_color_texture;
-  float clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat; textures' red and green
+  float clearcoat = 0, clearcoat_roughness = 0;  ///< KHR_materials_clearcoat; textures: red and green
   TextureSlot clearcoat_texture, clearcoat_roughness_texture, clearcoat_normal_texture;
   float clearcoat_normal_scale = 1;
-  float transmission = 0;  ///< share of the base that is thin clear glass (KHR_materials_transmission), red
+  float transmission =
+      0;  ///< share of light through thin clear glass (KHR_materials_transmission); texture: red
   TextureSlot transmission_texture;
-  bool unlit = false;  ///< the base colour is seen as it is, whatever lights it (KHR_materials_unlit)
+  bool unlit = false;  ///< shows the base colour regardless of light (KHR_materials_unlit)
 };
 
-/// All textures that a material may read.
+/// All texture slots of a material.
 inline std::array<const TextureSlot*, 10> texture_slots(const Material& m) {
   return {&m.base_color_texture,       &m.metallic_roughness_texture,
           &m.normal_texture,           &m.emissive_texture,
@@ -65,20 +65,21 @@ inline std::array<const TextureSlot*, 10> texture_slots(const Material& m) {
           &m.clearcoat_normal_texture, &m.transmission_texture};
 }
 
-/// A lamp without size (KHR_lights_punctual).
+/// A light without size (KHR_lights_punctual).
 struct PunctualLight {
   enum class Kind { point, spot, directional };
   std::string name;
   Kind kind = Kind::point;
   Eigen::Vector3f position = {0, 0, 0};    ///< world
-  Eigen::Vector3f direction = {0, 0, -1};  ///< into which a spot or directional light shines, world, unit
+  Eigen::Vector3f direction = {0, 0, -1};  ///< of the light of a spot or directional light: world, unit
   /// Point and spot: luminous intensity, kcd; directional: illuminance of a surface that faces it, klx.
   Eigen::Vector3f intensity = {0, 0, 0};
-  float cos_inner = 1, cos_outer = 0;  ///< of a spot's half angles: full inside the inner, none outside
+  float cos_inner = 1,
+        cos_outer = 0;  ///< of a spot's half angles: full inside the inner, none outside the outer
 };
 
-/// Triangles of one material. Every array but `indices` and `uv1` has one entry per vertex; `uv1`, `colors`
-/// and `tangents` may be empty. Tangent w is the handedness of the bitangent.
+/// Triangles of one material. Arrays other than `triangles` have one entry per vertex; `uv1`, `colors` and
+/// `tangents` may be empty. A tangent's w is the handedness of the bitangent.
 struct Mesh {
   std::string name;
   int material = 0;
@@ -89,30 +90,30 @@ struct Mesh {
   std::vector<Eigen::Vector3i> triangles;
 };
 
-/// A mesh placed in the world. A determinant below zero (a mirrored node) keeps the mesh's front faces in
-/// front.
+/// A mesh placed in the world. With a negative determinant (a mirrored node), the mesh's front faces stay
+/// front faces.
 struct Instance {
   int mesh = 0;
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
-  bool rides = false;  ///< with the car: the world is then the vehicle's frame, wherever the car is put
+  bool rides = false;  ///< moves with the car: its transform leads to the vehicle frame
 };
 
-/// Metres along a lane from its first point.
+/// A stretch of a lane, in metres from its first point.
 struct LaneStretch {
   double from_m = 0, to_m = 0;
   double length_m() const { return to_m - from_m; }
 };
 
-/// A drivable lane: its centre line in driving direction.
+/// A drivable lane, by its centre line in driving direction.
 struct Lane {
-  std::string street;  ///< lanes of one street see the same houses, so they stay in one split
+  std::string street;  ///< lanes of one street see the same houses and share a split
   float width_m = 3.25f;
   std::vector<Eigen::Vector3f> points;
-  std::vector<int> next = {};  ///< lanes (indices into Scene::lanes) that go on where it ends; may be empty
-  std::vector<LaneStretch> occupied = {};  ///< where vehicles stand on it
+  std::vector<int> next = {};  ///< lanes (indices into Scene::lanes) that begin where it ends; may be empty
+  std::vector<LaneStretch> occupied = {};  ///< by vehicles
 };
 
-/// A perspective camera that came with the scene. Camera frame: x right, y down, z forward.
+/// A perspective camera from the scene's file. Camera frame: x right, y down, z forward.
 struct SceneCamera {
   std::string name;
   Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
@@ -120,7 +121,7 @@ struct SceneCamera {
 };
 
 struct Scene {
-  std::string name, credits;  ///< credits: the file's asset.copyright, for dataset.json
+  std::string name, credits;  ///< credits: the file's asset.copyright, copied to dataset.json
   std::vector<Texture> textures;
   std::vector<Material> materials;  ///< never empty once imported
   std::vector<Mesh> meshes;

@@ -12,7 +12,7 @@
 namespace cps {
 
 struct SceneRays::Geometry {
-  // One instruction set everywhere: a place must not be rejected on one machine and taken on another.
+  // The same instruction set on all machines, so that all of them reject the same places.
   RTCDevice device = rtcNewDevice("isa=avx2");
   RTCScene scene = nullptr;
   struct Surface {
@@ -31,7 +31,7 @@ namespace {
 
 RTCScene committed_mesh(RTCDevice device, const Mesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  // Embree reads 16 bytes at the last vertex, so it gets a copy of its own.
+  // Embree reads 16 bytes at the last vertex, so it gets a padded copy.
   auto* vertices = static_cast<Eigen::Vector3f*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Eigen::Vector3f),
                               mesh.positions.size()));

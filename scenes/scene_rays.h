@@ -8,10 +8,10 @@
 
 namespace cps {
 
-/// Ray queries against a scene's geometry (masked leaves count as solid, shells turned inside out are not
-/// there, as whoever looks at them sees through them), built once and asked from any thread.
+/// Ray queries against a scene's geometry, built once and safe to use from any thread. Alpha-masked surfaces
+/// count as solid. Shells turned inside out are left out, because a camera sees through them.
 struct SceneRays {
-  /// Throws std::runtime_error when the tree cannot be built.
+  /// Throws std::runtime_error if Embree cannot build the acceleration structure.
   explicit SceneRays(const Scene& scene);
   ~SceneRays();
   SceneRays(SceneRays&&) noexcept;
@@ -20,14 +20,14 @@ struct SceneRays {
   std::unique_ptr<Geometry> geometry;
 };
 
-/// What a ray meets first.
+/// The first surface that a ray meets.
 struct SurfaceHit {
   double distance_m = 0;
-  Eigen::Vector3f normal;   ///< of the triangle's front, world, unit
-  bool shows_back = false;  ///< the back of a single-sided surface
+  Eigen::Vector3f normal;   ///< of the triangle's front face: world, unit
+  bool shows_back = false;  ///< the ray meets the back of a single-sided surface
 };
 
-/// The first surface from `from` (world) into `direction` (unit), if any.
+/// The first surface from `from` (world) along `direction` (world, unit), if any.
 std::optional<SurfaceHit> first_hit(const SceneRays& rays, const Eigen::Vector3f& from,
                                     const Eigen::Vector3f& direction);
 

@@ -5,9 +5,9 @@
 
 namespace cps {
 
-/// The place with the height, pitch and roll that four wheels give the car there: the plane through the
-/// ground below them (wheelbase 2.7 m, track 1.55 m). Ground is what lies within 0.6 m of the place's own
-/// height and is no steeper than 35°; where a wheel finds none, the place stays as it is.
+/// The place with height, pitch and roll from the ground below the car's four wheels (wheelbase 2.7 m, track
+/// 1.55 m). Ground is a surface within 0.6 m of the place's height and no steeper than 35°. If a wheel finds
+/// none, returns the place unchanged.
 Place on_wheels(const SceneRays& rays, const Place& place);
 
 }  // namespace cps

@@ -7,13 +7,13 @@
 
 namespace cps {
 
-/// What a pixel shows, by the name of its material in a procedural city.
+/// The class of what a pixel shows, from its material's name in a procedural city.
 enum class ViewClass { sky, road, other_ground, building, vegetation, vehicle, other };
 constexpr int view_class_count = 7;
 
 std::string to_string(ViewClass view_class);
 
-/// By material id as the AOV has it: 0 is the sky, then the scene's materials in order.
+/// The class of each material id of the material AOV: 0 is the sky, then the scene's materials in order.
 std::vector<ViewClass> classes_of_materials(const Scene& city);
 
 }  // namespace cps

@@ -5,15 +5,15 @@
 
 namespace cps {
 
-/// What kind of place a city is. `mixed`: districts of the other four.
+/// The character of a city. `mixed`: districts of the other four styles.
 enum class CityStyle { european, downtown, suburb, industrial, mixed };
 
-/// All styles' names, in the order of the enumeration.
+/// The styles' names, in the order of the enumeration.
 const std::vector<std::string>& city_style_names();
 
 std::string to_string(CityStyle style);
 
-/// The style of that name. Throws std::runtime_error: one line that lists the styles.
+/// The style with that name. Throws std::runtime_error with one line that lists the styles.
 CityStyle city_style_from(const std::string& name);
 
 }  // namespace cps

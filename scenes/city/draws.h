@@ -8,20 +8,20 @@
 
 namespace cps::city {
 
-/// What of the city is elsewhere on another day draws from this: `name` of its seed and its traffic's.
+/// The stream `name` for things that move: depends on the city's seed and on its traffic seed.
 inline Stream moving_stream(const CityOptions& options, std::string_view name) {
   return substream(make_stream(options.seed, name), options.traffic_seed);
 }
 
-/// What one thing of the city (a street, a building, a tree) draws, in order, from a stream of its own: more
-/// draws here never shift another thing's.
+/// A sequence of random numbers for one thing of the city (a street, a building, a tree), from a stream of
+/// its own, so that additional draws here never change another thing.
 struct Draws {
   Stream stream;
   std::uint64_t next = 0;
 
   double uniform(double low, double high) { return random_uniform(stream, next++, low, high); }
   bool chance(double probability) { return random_uniform(stream, next++) < probability; }
-  /// A whole number in [low, high].
+  /// An integer in [low, high], both included.
   int integer(int low, int high) {
     return low + static_cast<int>(random_below(stream, next++, high - low + 1));
   }

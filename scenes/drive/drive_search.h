@@ -6,10 +6,10 @@
 
 namespace cps {
 
-/// Drives over drivable ground: walks that keep away from what stands about, begin where there is a long way
-/// ahead, turn by at most 10° a metre, and end after 120 m or where there is no way on. They keep 3 m from
-/// one another, so that each may belong to another part of a split. The same ground gives the same drives;
-/// none where no walk of 4 m fits.
+/// Finds drives over drivable ground, as lanes of streets of their own. A drive begins where there is a long
+/// way ahead, keeps away from obstacles, turns by at most 10° per metre, and ends after 120 m or where it
+/// cannot go on. Drives keep 3 m apart, so that each may belong to another split. The same ground gives the
+/// same drives; the result is empty if none of 4 m fits.
 std::vector<Lane> find_drives(const GroundGrid& ground);
 
 }  // namespace cps

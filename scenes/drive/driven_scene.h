@@ -7,24 +7,24 @@
 
 namespace cps {
 
-/// How a scene that knows no metres or lanes is made fit to drive in.
+/// How to scale a scene to metres and give it lanes.
 struct DriveOptions {
-  double metres_per_unit = 0;   ///< 0: 1 for a scene with lanes, else guessed
-  std::filesystem::path route;  ///< a CSV file with the drive (route_file.h); none: its lanes, else found
+  double metres_per_unit = 0;   ///< 0: automatic: 1 for a scene with lanes, else guessed
+  std::filesystem::path route;  ///< CSV file (route_file.h); empty: the scene's lanes, else found drives
 };
 
-/// A scene in metres with lanes.
+/// A scene in metres, with lanes.
 struct DrivenScene {
   Scene scene;
-  double metres_per_unit = 1;  ///< of the file
-  /// How it came by them, for people: `littlest.glb: 0.01 m per unit (guessed), 12 drives found, 345 m`.
-  /// Empty for a scene that came with lanes in metres.
+  double metres_per_unit = 1;  ///< of the file's units
+  /// How scale and lanes were found, as a line to print: `littlest.glb: 0.01 m per unit (guessed), 12 drives
+  /// found, 345 m`. Empty for a scene whose file has lanes in metres.
   std::string note = {};
 };
 
-/// Imports a glTF file, scales it as the options say, else leaves it when it has lanes, else by a guess, and
-/// gives it lanes if it has none: the options' route, else drives found on its ground by ray casting. Throws
-/// std::runtime_error in one line: file, what, fix.
+/// Imports a glTF file, scales it to metres and gives it lanes. Scale: that of the options; else 1 if the
+/// file has lanes; else a guess. Lanes: the route of the options; else the file's; else drives found on its
+/// ground by ray casting. Throws std::runtime_error with one line: file, what, fix.
 DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOptions& options);
 
 }  // namespace cps

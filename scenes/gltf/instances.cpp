@@ -10,7 +10,7 @@
 namespace cps::gltf {
 namespace {
 
-/// A transform that flattens everything would leave its normals undefined.
+/// Whether normals can be transformed: a transform that flattens the mesh has no inverse.
 bool is_invertible(const Eigen::Affine3f& transform) {
   const Eigen::Matrix3f m = transform.linear();
   const float size = m.col(0).norm() * m.col(1).norm() * m.col(2).norm();
@@ -30,7 +30,7 @@ std::vector<Eigen::Matrix<float, N, 1>> read_instancing(Document& document, cons
   return read_vectors<N>(document, from, where + "." + name, all);
 }
 
-/// Where EXT_mesh_gpu_instancing repeats the node's mesh, in the node's frame; once at its origin without it.
+/// The transforms of EXT_mesh_gpu_instancing, in the node's frame; the identity alone without it.
 std::vector<Eigen::Affine3d> repetitions(Document& document, const tinygltf::Node& node,
                                          const std::string& where) {
   const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
@@ -83,7 +83,7 @@ void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
       refuse(document, where + ".mesh", std::to_string(node.mesh) + " does not exist");
     if (node.skin == -1) {
       add_instances(meshes, place, where);
-    } else {  // the joints alone say where a skinned mesh stands
+    } else {  // a skinned mesh is placed by its joints, not by its node
       const RestPose pose{rest_weights(document, node), joint_transforms(document, node.skin, placed)};
       for (const int mesh : add_meshes(meshes, node.mesh, pose))
         meshes.scene.instances.push_back({mesh, Eigen::Affine3f::Identity()});

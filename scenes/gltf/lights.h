@@ -7,9 +7,8 @@
 
 namespace cps::gltf {
 
-/// Adds the lamps (KHR_lights_punctual) of the placed nodes to the scene. Their candela and lux become kcd
-/// and klx. A lamp's `range` is not read: its light falls off with the square of the distance and ends
-/// nowhere.
+/// Adds the lights (KHR_lights_punctual) of the placed nodes to the scene, converting candela and lux to kcd
+/// and klx. Ignores `range`: light falls off with the square of the distance without a cut-off.
 void add_lights(Document& document, std::span<const PlacedNode> placed, Scene& scene);
 
 }  // namespace cps::gltf

@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t max_decoded_bytes = std::size_t{256} << 20;
 
-/// One line, that begins with the file's name and is short enough to read.
+/// Whether a message is one short line that begins with the file's name.
 bool is_good_refusal(const std::string& line, const std::string& file) {
   return line.starts_with(file + ": ") && line.find('\n') == line.npos && line.size() < file.size() + 420;
 }
 
 }  // namespace
 
-/// Imports the bytes and makes the tracer's tables and lamps of what comes out: whatever the importer lets
-/// through, the renderer must take.
+/// Imports the bytes and builds the renderer's tables and lights from the scene: the renderer must handle
+/// whatever the importer accepts.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   static const TemporaryFolder folder;
   static const std::string file = (folder.path / "scene.glb").string();

@@ -4,7 +4,7 @@
 #include "tests/scenes/gltf/gltf_maker.h"
 #include "tests/scenes/gltf/gltf_samples.h"
 
-/// write_fuzz_seeds FOLDER: the hand-made files that fuzzing starts from.
+/// write_fuzz_seeds FOLDER: writes the files that fuzzing starts from.
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::cerr << "usage: write_fuzz_seeds FOLDER\n";

@@ -7,7 +7,7 @@ using cps::Daylight;
 using cps::direction_to_sun;
 using Eigen::Vector3f;
 
-TEST_CASE("the sun stands where azimuth and elevation say") {
+TEST_CASE("azimuth and elevation give the direction to the sun") {
   CHECK(direction_to_sun({.sun_elevation_deg = 0, .sun_azimuth_deg = 0}).isApprox(Vector3f(0, 0, -1), 1e-6f));
   CHECK(direction_to_sun({.sun_elevation_deg = 0, .sun_azimuth_deg = 90}).isApprox(Vector3f(1, 0, 0), 1e-6f));
   CHECK(
@@ -17,7 +17,7 @@ TEST_CASE("the sun stands where azimuth and elevation say") {
             .isApprox(Vector3f(0, half, half), 1e-6f));
 }
 
-TEST_CASE("daylight out of range is named") {
+TEST_CASE("daylight out of range is refused by the field's name") {
   std::string why;
   CHECK(Daylight{}.is_valid(&why));
   CHECK_FALSE(Daylight{.sun_elevation_deg = 95}.is_valid(&why));

@@ -5,7 +5,7 @@
 
 using namespace cps;
 
-TEST_CASE("the bonnet rides before the windscreen and faces up and out") {
+TEST_CASE("the bonnet moves with the car, has its documented size, and faces up and out") {
   Scene scene;
   add_ego_bonnet(scene);
   REQUIRE(scene.instances.size() == 1);

@@ -49,23 +49,23 @@ TEST_CASE("yaw turns left, pitch up, roll clockwise, in this order") {
   const double half = std::sqrt(0.5);
   CHECK(close(vehicle_from_camera(turned(90, 0, 0)).linear().col(2), {0, 1, 0}));
   CHECK(close(vehicle_from_camera(turned(0, 45, 0)).linear().col(2), {half, 0, half}));
-  // Clockwise as the driver sees it: the camera's right edge goes down.
+  // Clockwise for the driver: the camera's right edge goes down.
   CHECK(close(vehicle_from_camera(turned(0, 0, 90)).linear().col(0), {0, 0, -1}));
-  // Looking left first, then up: the optical axis leans up over the left side.
+  // First turned left, then up: the optical axis points to the left and up.
   CHECK(close(vehicle_from_camera(turned(90, 45, 0)).linear().col(2), {0, half, half}));
   const Eigen::Matrix3d m = vehicle_from_camera(turned(31, -17, 8)).linear();
   CHECK((m * m.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
   CHECK(m.determinant() == Approx(1));
 }
 
-TEST_CASE("heading grows to the left") {
+TEST_CASE("a positive heading turns left") {
   const Isometry3d north = world_from_vehicle({.heading_rad = std::numbers::pi / 2});
   CHECK(close(north.linear().col(0), {0, 0, -1}));  // forward
   CHECK(close(north.linear().col(1), {-1, 0, 0}));  // left of north is west
   CHECK(close(north.linear().col(2), {0, 1, 0}));
 }
 
-TEST_CASE("a car that climbs looks up, one that leans right lowers its right side") {
+TEST_CASE("positive pitch raises the nose, positive roll lowers the right side") {
   const double up = 0.1, half_turn = std::numbers::pi / 2;
   const Isometry3d climbing = world_from_vehicle({.heading_rad = half_turn, .pitch_rad = up});
   CHECK(close(climbing.linear().col(0), {0, std::sin(up), -std::cos(up)}));
@@ -75,7 +75,7 @@ TEST_CASE("a car that climbs looks up, one that leans right lowers its right sid
   CHECK(close(-leaning.linear().col(1), {0, -std::sin(up), std::cos(up)}));  // right is world +z, and down
 }
 
-TEST_CASE("a rig has cameras of different names") {
+TEST_CASE("a rig without cameras or with a repeated camera name is refused") {
   std::string why;
   CHECK(cps::Rig{}.is_valid(&why));
   CHECK_FALSE(cps::Rig{.cameras = {}}.is_valid(&why));
@@ -86,7 +86,7 @@ TEST_CASE("a rig has cameras of different names") {
   CHECK(why == "a: pitch_deg must be within -90 and 90");
 }
 
-TEST_CASE("a camera that cannot be is named") {
+TEST_CASE("an invalid rig camera is refused by the field's name") {
   std::string why;
   CHECK(RigCamera{}.is_valid(&why));
   CHECK_FALSE(RigCamera{.name = "../x"}.is_valid(&why));

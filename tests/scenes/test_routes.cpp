@@ -41,7 +41,7 @@ TEST_CASE("a place on a lane: arc length, tangent heading, left offset") {
   CHECK(place_on_lane(lane, 99, 0, 0).position.isApprox(Vector3d(3, 3, -4)));
 }
 
-TEST_CASE("places on a finely divided circle keep their speed and their tangent") {
+TEST_CASE("places on a circle of many short pieces follow arc length and tangent") {
   Lane circle;
   constexpr int steps = 720;
   constexpr double radius = 50;

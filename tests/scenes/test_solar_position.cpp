@@ -5,7 +5,7 @@
 
 using namespace cps;
 
-TEST_CASE("the sun stands where NREL's worked example has it") {
+TEST_CASE("the sun's position agrees with NREL's worked example") {
   // Reda & Andreas 2008, Solar Position Algorithm, NREL/TP-560-34302, appendix A.5: 17 October 2003, 12:30:30
   // at UTC−7; elevation without refraction 39.872046°, azimuth 194.340241°.
   const SolarPosition sun = solar_position({.year = 2003, .month = 10, .day = 17, .hour = 19.5 + 30 / 3600.0},
@@ -14,7 +14,7 @@ TEST_CASE("the sun stands where NREL's worked example has it") {
   CHECK(sun.azimuth_deg == Approx(194.340241).margin(0.015));
 }
 
-TEST_CASE("right ascension and declination are those of Meeus' example") {
+TEST_CASE("the sun's declination agrees with Meeus' example") {
   // Meeus, Astronomical Algorithms (1998), example 25.a: 13 October 1992, 0 h TD: declination −7.78507°. From
   // the pole, the elevation is the declination.
   const SolarPosition sun = solar_position({.year = 1992, .month = 10, .day = 13, .hour = 0}, 90, 0);
@@ -25,7 +25,7 @@ TEST_CASE("equinoxes and solstices") {
   // June 2025: solstice on the 21st at 2:42 UTC, equinox on 20 March at 9:01 UTC (USNO).
   CHECK(solar_position({2025, 6, 21, 2.7}, 90, 0).elevation_deg == Approx(23.437).margin(0.01));
   CHECK(solar_position({2025, 3, 20, 9.02}, 90, 0).elevation_deg == Approx(0).margin(0.01));
-  // At true noon the sun stands in the south of Karlsruhe, in the north of Sydney, 90° − |latitude| up.
+  // At true noon of an equinox the sun is 90° − |latitude| high: south of Karlsruhe, north of Sydney.
   double highest = 0, azimuth = 0;
   for (double hour = 9; hour < 15; hour += 0.01)
     if (const SolarPosition sun = solar_position({2025, 3, 20, hour}, 49, 8.4); sun.elevation_deg > highest)
@@ -37,7 +37,7 @@ TEST_CASE("equinoxes and solstices") {
   CHECK(solar_position({2025, 3, 20, 6}, 49, 8.4).azimuth_deg == Approx(96.5).margin(3));
 }
 
-TEST_CASE("dates are checked and written") {
+TEST_CASE("dates are checked and formatted") {
   std::string why;
   CHECK(Moment{2024, 2, 29, 0}.is_valid(&why));
   for (const Moment& moment : {Moment{2025, 2, 29, 0}, Moment{2025, 13, 1, 0}, Moment{2025, 1, 0, 0},

@@ -9,7 +9,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-/// Ground whose height is y = rise_x · x + rise_z · z.
+/// A plane of height y = rise_x · x + rise_z · z.
 Scene slope(float rise_x, float rise_z) {
   Scene scene;
   scene.materials.resize(1);
@@ -24,7 +24,7 @@ Scene slope(float rise_x, float rise_z) {
 
 }  // namespace
 
-TEST_CASE("on a slope the car has the slope's height, pitch and roll, wherever it heads") {
+TEST_CASE("on a slope the car takes the slope's height, pitch and roll for any heading") {
   const SceneRays rays(slope(0.1f, -0.05f));  // climbs to the east and to the north
   const auto standing = [&](double heading_rad) {
     return on_wheels(rays, {.position = {20, 2.2, 0}, .heading_rad = heading_rad});
@@ -34,7 +34,7 @@ TEST_CASE("on a slope the car has the slope's height, pitch and roll, wherever i
     INFO(heading);
     const Place place = standing(heading);
     CHECK(place.position.y() == Approx(2.0).margin(1e-4));
-    // Pitch and roll from two slopes: a little off the plane's own, second order in them.
+    // Pitch and roll are taken from slopes, so the error is of second order in them.
     CHECK((world_from_vehicle(place).linear().col(2) - normal).norm() < 1e-3);
     CHECK(place.heading_rad == heading);
   }
@@ -42,7 +42,7 @@ TEST_CASE("on a slope the car has the slope's height, pitch and roll, wherever i
   CHECK(standing(0).roll_rad == Approx(-std::atan(-0.05)).margin(1e-5));  // the left, in the north, is higher
 }
 
-TEST_CASE("where a wheel finds no ground the place stays as it is") {
+TEST_CASE("a place stays unchanged if a wheel finds no ground") {
   const SceneRays rays(slope(0, 0));
   for (const Vector3d& position : {Vector3d(99, 0, 0), Vector3d(0, 0.9, 0), Vector3d(0, -0.9, 0)}) {
     const Place place = on_wheels(rays, {.position = position, .pitch_rad = 0.05});

@@ -2,22 +2,22 @@
 
 #include "scenes/city/blocks/block_site.h"
 
-/// The ways to fill a block; each draws what it needs from the site's draws.
+/// Functions that fill a block, one per kind, with random numbers from the site's draws.
 namespace cps::city {
 
-/// Houses wall to wall along all streets, L-shaped at the corners, around a court.
+/// Adjoining houses along all streets around a court, L-shaped at the corners.
 void fill_closed_block(BlockSite& site);
 
-/// Houses on lots of their own: front gardens, hedges and fences, driveways, garages.
+/// Detached houses with front gardens, hedges and fences, driveways and garages.
 void fill_detached_block(BlockSite& site);
 
-/// Long blocks of flats on grass.
+/// Slabs: long blocks of flats on grass.
 void fill_slab_block(BlockSite& site);
 
 /// Towers on podiums around paved squares.
 void fill_tower_block(BlockSite& site);
 
-/// Halls in walled or fenced yards.
+/// Industrial halls in walled or fenced yards.
 void fill_hall_block(BlockSite& site);
 
 }  // namespace cps::city

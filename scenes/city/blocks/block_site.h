@@ -11,11 +11,11 @@ struct BlockSite {
   BlockPlan& plan;
   const CityCharacter& character;
   Draws& draws;
-  Polygon border;  ///< where the pavements end
+  Polygon border;  ///< the inner edge of the pavements
   std::vector<Frontage> sides;
 };
 
-/// A rectangle of ground by a frontage: u along it from the middle, v into the block, metres.
+/// The frame of a lot at a frontage: u along it from the middle, v into the block, metres.
 struct LotFrame {
   Vec2 origin, along;
   Vec2 at(double u, double v) const { return origin + along * u + left_of(along) * v; }
@@ -27,23 +27,24 @@ struct LotFrame {
   }
 };
 
-/// The frame over `width_m` metres of the frontage from station `s`.
+/// The frame of the lot over `width_m` of the frontage from station `s`.
 LotFrame lot_frame(const Polyline& front, double s, double width_m);
 
-/// Whether the ground lies inside the border (to `slack_m`) and nothing is built or paved there.
+/// Whether the ground lies inside the border (with a tolerance of `slack_m`) and is free of buildings and
+/// pads.
 bool is_free(const BlockSite& site, const Polygon& ground, double slack_m = 0.05);
 
-/// Plans the building if its ground is free and of some size; whether it did.
+/// Adds the building if its ground is free and at least 12 m². Returns whether it did.
 bool try_building(BlockSite& site, const BuildingPlan& building);
 
-/// Lays the pad if its ground is free; whether it did. On bent streets it may end a little short of the
-/// border or beyond.
+/// Adds the pad if its ground is free. Returns whether it did. On bent streets it may end a little before or
+/// beyond the border.
 bool try_pad(BlockSite& site, const Pad& pad);
 
-/// The block's usual number of storeys, drawn around its district's.
+/// A random number of storeys around the district's mean, clamped to [lowest, highest].
 int draw_storeys(BlockSite& site, int lowest, int highest);
 
-/// Trees wherever nothing is built, about `spacing_m` metres apart.
+/// Adds trees about `spacing_m` apart wherever nothing is built, at least `from_border_m` from the border.
 void plant(BlockSite& site, double spacing_m, double from_border_m);
 
 }  // namespace cps::city

@@ -36,7 +36,7 @@ void fill_row(BlockSite& site, const Polyline& line, double from, double to, dou
   for (int k = 0; k <= lots; ++k) front[k] = station_at(line, cuts[k]).point;
   const Footprint row = make_footprint(front, depth);
   for (int k = 0; k < lots; ++k) {
-    if (draws.chance(0.04)) continue;  // a gap: the way into the court
+    if (draws.chance(0.04)) continue;  // a gap: the entrance to the court
     // Neighbours share the row's mitred corners, so that their party walls coincide.
     const Footprint lot{{front[k], front[k + 1]}, {row.inward[k], row.inward[k + 1]}, depth};
     if (signed_area(lot.polygon()) > 30 && try_building(site, row_house(site, lot, storeys, 1)))
@@ -44,7 +44,7 @@ void fill_row(BlockSite& site, const Polyline& line, double from, double to, dou
   }
 }
 
-/// An end of a house that another one stands against has no windows.
+/// Marks the ends of houses that adjoin another house: party walls have no windows.
 void find_party_walls(BlockPlan& plan) {
   constexpr double gap_m = 0.3;
   for (BuildingPlan& b : plan.buildings)
@@ -67,7 +67,7 @@ void fill_closed_block(BlockSite& site) {
   site.plan.ground = GroundKind::paving;
   const int storeys = draw_storeys(site, 2, 7);
   const double depth = draws.uniform(10, 13);
-  std::vector<double> start(sides.size(), 0), end(sides.size(), 0);  // taken by corner houses
+  std::vector<double> start(sides.size(), 0), end(sides.size(), 0);  // lengths taken by corner houses
   for (std::size_t i = 0; i < sides.size(); ++i) {
     if (!sides[i].corner_at_end) continue;
     const std::size_t next = (i + 1) % sides.size();

@@ -5,13 +5,13 @@
 namespace cps::city {
 namespace {
 
-/// One lot: everything is measured in its frame; `side` is where the garage stands, −1 left, 1 right.
+/// A lot, measured in its frame. `side`: the garage is on the left (−1) or on the right (1).
 struct Lot {
   LotFrame frame;
   double width = 18, depth = 26, setback = 5;
   double side = 1;
 
-  /// u from the garage's side of the lot (0) to the other (`width`).
+  /// The frame's u of a distance from the garage's side of the lot.
   double u(double from_garage_side) const { return side * (width / 2 - from_garage_side); }
   Polygon rectangle(double near, double far, double v0, double v1) const {
     return frame.rectangle(std::min(u(near), u(far)), std::max(u(near), u(far)), v0, v1);
@@ -26,7 +26,7 @@ RoofKind draw_roof(BlockSite& site) {
   return site.draws.chance(0.35) ? RoofKind::hip : RoofKind::gable;
 }
 
-/// Boundaries along the street, open at the driveway and at the path, and down one side of the lot.
+/// Adds boundaries along the street, with gaps for the driveway and the path, and along one side of the lot.
 void enclose(BlockSite& site, const Lot& lot, double drive_end, double path) {
   constexpr double inset_m = 0.45, gate_m = 1.3;
   const double pick = site.draws.uniform(0, 1);

@@ -69,7 +69,7 @@ Districts draw_districts(const CityOptions& options) {
     districts.sites.push_back({{0, 0}, options.style});
     return districts;
   }
-  // Twice each style: towers near the middle, works and houses further out.
+  // Two sites per style: towers near the middle, factories and houses further out.
   Draws draws{make_stream(options.seed, "districts")};
   for (const auto& [style, reach] : {std::pair{CityStyle::downtown, 0.25},
                                      {CityStyle::european, 0.45},

@@ -7,22 +7,23 @@
 
 namespace cps::city {
 
-/// How one district leans: drawn once, felt in every block.
+/// A district's character, which all its blocks share.
 struct CityCharacter {
-  double closed = 0, detached = 0, slabs = 0, park = 0, towers = 0, halls = 0;  ///< shares of block kinds
+  double closed = 0, detached = 0, slabs = 0, park = 0, towers = 0,
+         halls = 0;  ///< relative shares of block kinds
   double mean_storeys = 3.5, shop_share = 0.3, flat_roof_share = 0.3, tree_density = 1;
 };
 
-/// The character that a seed gives a style (any but mixed).
+/// Draws the character of a district of that style (not `mixed`).
 CityCharacter draw_character(std::uint64_t seed, CityStyle style = CityStyle::european);
 
-/// Where which style holds: all over the city, or around sites of the mixed one.
+/// The districts of a city: one, or for the mixed style several around sites.
 struct Districts {
   struct Site {
     Vec2 position;
     CityStyle style;
   };
-  std::vector<Site> sites;  ///< a point belongs to the nearest
+  std::vector<Site> sites;  ///< a point belongs to the nearest site
   std::array<CityCharacter, 4> characters;
 
   CityStyle style_at(const Vec2& point) const;

@@ -17,7 +17,7 @@ BuildingPlan draw_hall(Draws& draws) {
   return hall;
 }
 
-/// Offices of a few storeys in front of a hall.
+/// Adds an office building of a few storeys in front of a hall.
 void add_office(BlockSite& site, const LotFrame& frame, double half_width, double setback) {
   Draws& draws = site.draws;
   const double width = draws.uniform(9, 16), depth = std::min(draws.uniform(6, 9), setback - 2);
@@ -31,7 +31,7 @@ void add_office(BlockSite& site, const LotFrame& frame, double half_width, doubl
   try_building(site, office);
 }
 
-/// Parked cars side by side behind the fence.
+/// Adds spots for cars side by side behind the fence.
 void add_car_park(BlockSite& site, const LotFrame& frame, double from_u, double to_u) {
   const Vec2 in = left_of(frame.along);
   for (double u = from_u; u + 2.6 < to_u; u += 2.6)
@@ -55,7 +55,7 @@ void add_goods(BlockSite& site) {
   }
 }
 
-/// The fence along a frontage, open at the gates.
+/// Adds the fence along a frontage, with gaps at the gates.
 void add_fence(BlockSite& site, const Frontage& side, BoundaryKind kind, const std::vector<double>& gates) {
   const double total = length(side.line);
   double s = fence_inset_m;

@@ -8,30 +8,30 @@ namespace cps::city {
 
 enum class BuildingKind { house, tower, hall, garage };
 
-/// What stands on a lot, before its facade is drawn.
+/// A building before its materials and details are drawn.
 struct BuildingPlan {
   BuildingKind kind = BuildingKind::house;
   Footprint footprint;
   int storeys = 3;
   bool shops = false;
-  bool party_start = false, party_end = false;  ///< a neighbour is built onto that end: no windows there
-  bool detached = false;                        ///< all sides are seen
+  bool party_start = false, party_end = false;  ///< a neighbour adjoins that end: no windows
+  bool detached = false;                        ///< all sides are visible
   RoofKind roof = RoofKind::gable;
-  bool gable_to_street = false;  ///< the ridge runs away from the street
-  bool distant = false;          ///< never seen from near: windows without depth
-  double rear_wing_m = 0;        ///< depth of a lower wing behind; 0: none
+  bool gable_to_street = false;  ///< the ridge is at right angles to the street
+  bool distant = false;          ///< never seen from near: windows are flat
+  double rear_wing_m = 0;        ///< depth of a lower wing behind the house; 0: none
 };
 
-/// The building with its own draw of materials, rhythm and details.
+/// Builds the mesh, with materials and details drawn from `stream`.
 Building building(const BuildingPlan& plan, const Materials& materials, Stream stream);
 
-/// The kinds, each in a file of its own.
+/// The same for one kind each.
 Building house(const BuildingPlan& plan, const Materials& materials, Stream stream);
 Building tower(const BuildingPlan& plan, const Materials& materials, Stream stream);
 Building hall(const BuildingPlan& plan, const Materials& materials, Stream stream);
 Building garage(const BuildingPlan& plan, const Materials& materials, Stream stream);
 
-/// The plan of the rear wing, empty where there is none.
+/// The ground plan of the rear wing; empty without one.
 Polygon rear_wing(const BuildingPlan& plan);
 
 }  // namespace cps::city

@@ -4,14 +4,14 @@
 
 namespace cps::city {
 
-/// Where people or vehicles come into a building; its threshold lies at the building's own ground level.
+/// An entrance for people or vehicles. Its threshold is at the building's own ground level.
 struct Doorway {
-  Vec2 middle, out;  ///< on the wall; unit, away from it
+  Vec2 middle, out;  ///< middle: on the wall; out: unit, away from the wall
   double width_m = 1;
   bool is_gate = false;
 };
 
-/// A building over level ground.
+/// A building's mesh, on level ground, and its entrances.
 struct Building {
   Mesh mesh;
   std::vector<Doorway> doorways;

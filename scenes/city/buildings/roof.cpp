@@ -13,9 +13,10 @@ namespace cps::city {
 namespace {
 
 constexpr double overhang_m = 0.45, slab_m = 0.2;
-constexpr double mansard_depth_m = 0.95, mansard_rise_m = 2.5;  // of the steep part
+constexpr double mansard_depth_m = 0.95, mansard_rise_m = 2.5;  // of its steep part
 
-/// Swept around as a closed section: top from front to back, underside back again.
+/// The closed cross-section of a roof slab: its top from front to back, then its underside from back to
+/// front.
 std::vector<ProfilePoint> slab(const std::vector<ProfilePoint>& top) {
   std::vector<ProfilePoint> section = top;
   for (auto p = top.rbegin(); p != top.rend(); ++p) section.push_back({p->depth, p->height - slab_m});
@@ -49,7 +50,7 @@ double add_gable(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& p
   add_loft(tiles, roof, {section[0], section[1], section[2]}, roof_tile_m);
   Surface& boards = mesh.surfaces[m.frame_white];
   add_loft(boards, roof, {section[2], section[3], section[4], section[5], section[0]}, 1);
-  for (int i = 0; i < 2; ++i)  // the slab's own thickness, at the ends
+  for (int i = 0; i < 2; ++i)  // the slab's thickness at the ends
     add_loft_ends(boards, roof, {section[i], section[i + 1], section[4 - i], section[5 - i]}, 1);
   add_loft_ends(mesh.surfaces[plan.wall.material], f,
                 {{0, eaves}, {f.depth_m / 2, eaves + rise}, {f.depth_m, eaves}}, plan.wall.tile_m);
@@ -114,7 +115,7 @@ double add_flat(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   std::reverse(inner.begin(), inner.end());
   add_strip(mesh.surfaces[plan.wall.material], inner, inner, {top, eaves, plan.wall.tile_m});
   const Polyline middle = f.line_at(f.depth_m * 0.5);
-  for (int i = plan.lived_under ? draws.integer(0, 3) : 0; i > 0; --i) {  // stair heads and machines
+  for (int i = plan.lived_under ? draws.integer(0, 3) : 0; i > 0; --i) {  // stair heads and ventilation
     const Station at = station_at(middle, length(middle) * draws.uniform(0.2, 0.8));
     add_box(mesh.surfaces[draws.chance(0.5) ? m.concrete[0].material : m.roof_metal], at.point, at.direction,
             draws.uniform(0.5, 1.8), draws.uniform(0.5, 1.5), eaves, eaves + draws.uniform(0.7, 2.4), 3);

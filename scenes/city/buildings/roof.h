@@ -8,24 +8,25 @@ namespace cps::city {
 
 enum class RoofKind { flat, gable, hip, mansard, sawtooth };
 
-/// How high a flat roof's parapet stands above the last ceiling.
+/// Height of a flat roof's parapet above the last ceiling.
 inline constexpr double parapet_m = 0.5;
 
 struct RoofPlan {
   RoofKind kind = RoofKind::gable;
   double pitch_deg = 40;
-  bool free_start = false, free_end = false;  ///< no neighbour there: the roof projects
+  bool free_start = false, free_end = false;  ///< no neighbour at that end: the roof projects
   WallMaterial wall;                          ///< of gables
   bool dormers = false;
   MaterialId cover = 0;     ///< of slopes
-  bool lived_under = true;  ///< chimneys, attic windows, stair heads
+  bool lived_under = true;  ///< has chimneys, attic windows or stair heads
 };
 
-/// Teeth along the front of a two-point footprint, each a glazed face and a slope; returns as add_roof.
+/// Adds a sawtooth roof over a two-point footprint; each tooth has a glazed face and a slope. Returns the
+/// height of its highest point.
 double add_sawtooth(Mesh& mesh, const Footprint& footprint, double eaves, const RoofPlan& plan,
                     const Materials& materials);
 
-/// The roof over a footprint whose walls end at `eaves` metres; returns the height of its highest point.
+/// Adds the roof over a footprint whose walls end at height `eaves`. Returns the height of its highest point.
 double add_roof(Mesh& mesh, const Footprint& footprint, double eaves, const RoofPlan& plan,
                 const Materials& materials, Draws& draws);
 

@@ -16,7 +16,7 @@ double add_sawtooth(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan
     const Vec3 p0_in = lift(low + in, eaves), p1_in = lift(low + in, eaves + rise),
                q_in = lift(next + in, eaves);
     const double d = f.depth_m / tile;
-    // The glazed face looks against the front's direction; ribs of the slope run down it.
+    // The glazed face looks backwards along the front; the slope's ribs run down the slope.
     const double sill = 0.5 / rise;
     const Vec3 s0 = p0 + (p1 - p0) * sill, s0_in = p0_in + (p1_in - p0_in) * sill;
     add_quad(mesh.surfaces[plan.wall.material], {p0_in, {0, 0}}, {p0, {d, 0}}, {s0, {d, -0.5 / tile}},

@@ -45,7 +45,7 @@ void add_loft(Surface& surface, const Footprint& footprint, const std::vector<Pr
     const ProfilePoint &a = profile[k - 1], &b = profile[k];
     const double step = std::hypot(b.depth - a.depth, b.height - a.height) / tile_m;
     const double v_next =
-        b.height >= a.height ? v - step : v + step;  // the image's top towards the higher edge
+        b.height >= a.height ? v - step : v + step;  // the image's top is at the higher edge
     double u = 0;
     for (std::size_t i = 1; i < footprint.front.size(); ++i) {
       const double u_next = u + (footprint.front[i] - footprint.front[i - 1]).norm() / tile_m;

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// glTF 2.0, section 5: component types and buffer targets.
+// Component types and buffer targets (glTF 2.0, section 5).
 constexpr int unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, float_32 = 5126;
 constexpr int array_buffer = 34962, element_array_buffer = 34963, no_target = 0;
 
@@ -31,13 +31,13 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return bytes;
 }
 
-/// Rounded to a tenth of a millimetre, which also keeps the JSON short.
+/// Rounds to 0.1 mm, which keeps the JSON short.
 double rounded(double x) {
   return std::round(x * 1e4) / 1e4;
 }
 
-/// Whether every normal is its triangle's own: then the format lets it be left out (3.7.2.1), and readers
-/// make it anew.
+/// Whether every normal is its triangle's geometric normal. Then glTF (3.7.2.1) lets the file omit the
+/// normals, and readers make the same ones.
 bool is_flat(const Surface& surface) {
   for (std::size_t t = 0; t < surface.indices.size(); t += 3) {
     const auto p = [&](int k) { return surface.positions[surface.indices[t + k]]; };
@@ -97,7 +97,7 @@ MaterialId GlbWriter::add_material(const MaterialDescription& m) {
 }
 
 int GlbWriter::add_mesh(const Mesh& mesh) {
-  // All arrays of one element size share a buffer view: fewer of them keep the JSON small.
+  // Arrays of the same element size share a buffer view, which keeps the JSON small.
   enum Packing { vectors, coordinates, colors, short_indices, long_indices };
   struct Packed {
     std::vector<std::uint8_t> bytes;
@@ -175,7 +175,7 @@ void GlbWriter::add_node(const std::string& name, int mesh, const Placement& p) 
   if (p.position != Vec3::Zero())
     node["translation"] = {rounded(p.position.x()), rounded(p.position.y()), rounded(p.position.z())};
   if (p.heading_rad != 0 || p.up.y() != 1) {
-    // Rounded quaternions would no longer be unit ones to the six digits the format asks for.
+    // Not rounded: glTF requires quaternions of unit length to six digits.
     const Eigen::Quaternionf q = (Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), p.up) *
                                   Eigen::AngleAxisd(p.heading_rad, Vec3::UnitY()))
                                      .cast<float>();

@@ -12,7 +12,7 @@
 
 namespace cps::city {
 
-/// A glTF metallic-roughness material. Colours are linear; textures −1 for none.
+/// A glTF metallic-roughness material. Colours are linear; texture −1 means none.
 struct MaterialDescription {
   std::string name;
   std::array<double, 3> base_color = {1, 1, 1};
@@ -20,31 +20,32 @@ struct MaterialDescription {
   int base_color_texture = -1, metallic_roughness_texture = -1, normal_texture = -1;
   bool alpha_mask = false, double_sided = false;
   std::array<double, 3> emissive = {0, 0, 0};
-  double transmission = 0;  ///< share of light that passes a thin wall (KHR_materials_transmission)
+  double transmission = 0;  ///< share of light through a thin wall (KHR_materials_transmission)
 };
 
-/// Where a mesh stands: `position` in glTF's frame, turned by `heading_rad` about the vertical, scaled
-/// evenly, then leant over so that its vertical becomes `up` (unit).
+/// A mesh's pose: scaled uniformly, turned by `heading_rad` about the vertical, then tilted so that the
+/// vertical becomes `up` (unit), at `position` in glTF's frame.
 struct Placement {
   Vec3 position = Vec3::Zero();
   double heading_rad = 0, scale = 1;
   Vec3 up = {0, 1, 0};
 };
 
-/// Collects a glTF 2.0 asset and writes it as one .glb file. Order of calls is order in the file, so equal
-/// calls make equal bytes.
+/// Collects a glTF 2.0 asset and writes it as one .glb file. Things appear in the file in the order of the
+/// calls, so equal calls give equal bytes.
 class GlbWriter {
  public:
-  /// Stores the image as PNG; returns the texture's index.
+  /// Adds a texture, stored as PNG; returns its index.
   int add_texture(const std::string& name, const Image& image);
   MaterialId add_material(const MaterialDescription& material);
-  /// Returns the mesh's index, to be placed by add_node.
+  /// Adds a mesh, which add_node places; returns its index.
   int add_mesh(const Mesh& mesh);
-  /// The same geometry with one material exchanged: no vertex is stored twice.
+  /// Adds a mesh that shares another's vertices but has one material replaced; returns its index.
   int add_variant(int mesh, const std::string& name, MaterialId from, MaterialId to);
   void add_node(const std::string& name, int mesh, const Placement& placement = {});
 
-  /// Writes the file under a temporary name, then renames it. Returns its size in bytes.
+  /// Writes the file under a temporary name, then renames it. Returns its size in bytes. Throws
+  /// std::runtime_error if it cannot be written.
   std::size_t write(const std::filesystem::path& file, const nlohmann::ordered_json& scene_extras) const;
 
   std::size_t stored_triangles() const { return triangles; }

@@ -9,13 +9,13 @@
 
 #include "scenes/city/geometry/plan_geometry.h"
 
-/// Triangles being built, in glTF's frame: y up, metres, anticlockwise front faces.
+/// Meshes under construction, in glTF's frame: y up, metres, anticlockwise front faces.
 namespace cps::city {
 
 using Vec3 = Eigen::Vector3d;
 using MaterialId = int;
 
-/// From the plan (x east, y north) and a height to glTF's frame.
+/// The point in glTF's frame at a plan position (x east, y north) and a height.
 inline Vec3 lift(const Vec2& plan, double height) {
   return {plan.x(), height, -plan.y()};
 }
@@ -29,43 +29,44 @@ struct Surface {
   std::vector<std::uint32_t> indices;
 };
 
-/// A vertex colour from a lightness of 0 … 1.
+/// The gray vertex colour of a lightness, 0 to 1.
 std::array<std::uint8_t, 4> gray_color(double light);
 
 struct Mesh {
   std::string name;
   std::map<MaterialId, Surface> surfaces;
 
-  /// A mesh without surfaces is not written.
+  /// True without surfaces; such a mesh is not written.
   bool empty() const { return surfaces.empty(); }
   std::size_t triangle_count() const;
 };
 
-/// A corner given with its texture coordinates, in tiles.
+/// A corner with its texture coordinates, in tiles.
 struct Vertex {
   Vec3 position;
   Vec2 uv = {0, 0};
 };
 
-/// The triangle or convex planar polygon (anticlockwise from its front), flat-shaded. Slivers without area
-/// are left out.
+/// Adds a flat-shaded triangle or convex planar polygon, given anticlockwise. Skips polygons without area.
 void add_polygon(Surface& surface, const std::vector<Vertex>& corners);
 inline void add_quad(Surface& surface, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d) {
   add_polygon(surface, {a, b, c, d});
 }
 
-/// A box over a rectangle of the plan: `centre`, unit `along`, half sizes along and across it, from `bottom`
-/// to `top`. Texture coordinates are metres / `tile_m`. The bottom face is left out unless `with_bottom`.
+/// Adds a box over a rectangle of the plan, with half sizes along and across the unit vector `along`, from
+/// height `bottom` to `top`. Texture coordinates are metres / `tile_m`. It has a bottom face only if
+/// `with_bottom`.
 void add_box(Surface& surface, const Vec2& centre, const Vec2& along, double half_length, double half_width,
              double bottom, double top, double tile_m = 1, bool with_bottom = false);
 
-/// The same between its low and its high corner (glTF's frame), along the axes and with a bottom.
+/// Adds an axis-aligned box, bottom included, between two opposite corners (glTF's frame).
 void add_block(Surface& surface, const Vec3& low, const Vec3& high, double tile_m = 1);
 
-/// A horizontal face over a plan polygon (any simple one), texture coordinates in world metres / `tile_m`.
+/// Adds a horizontal face over any simple polygon of the plan; texture coordinates are world metres /
+/// `tile_m`.
 void add_floor(Surface& surface, const Polygon& polygon, double height, double tile_m);
 
-/// A tapered tube from `from` to `to`, smooth-shaded, closed at the far end if `capped`.
+/// Adds a smooth-shaded tapered tube, closed at the far end if `capped`.
 void add_tube(Surface& surface, const Vec3& from, const Vec3& to, double radius_from, double radius_to,
               int sides, bool capped = false, double tile_m = 1);
 

@@ -4,7 +4,7 @@
 
 namespace cps::city {
 
-/// Where along the line its nearest point to `point` lies, in metres.
+/// The station (metres along the line) of the line's point nearest to `point`.
 double nearest_station(const Polyline& line, const Vec2& point);
 
 }  // namespace cps::city

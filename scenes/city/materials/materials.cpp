@@ -13,7 +13,7 @@ MaterialDescription textured(GlbWriter& writer, const std::string& name, const T
   MaterialDescription m;
   m.name = name;
   m.base_color = tint;
-  m.metallic = 1;  // as painted
+  m.metallic = 1;  // factors multiply the texture
   m.base_color_texture = writer.add_texture(name + "_color", set.base_color);
   m.normal_texture = writer.add_texture(name + "_normal", set.normal);
   m.metallic_roughness_texture = writer.add_texture(name + "_roughness", set.metallic_roughness);
@@ -66,7 +66,7 @@ void add_walls(GlbWriter& writer, Materials& m, std::uint64_t seed) {
                                  {0.86, 0.78, 0.70}, {0.70, 0.66, 0.60}, {0.55, 0.52, 0.48},
                                  {0.90, 0.66, 0.52}, {0.97, 0.97, 0.96}};
   const std::size_t first = draws.integer(0, static_cast<int>(tints.size()) - 1);
-  for (int i = 0; i < 6; ++i) {  // every other one of the list, so that a city's plasters differ well
+  for (int i = 0; i < 6; ++i) {  // every other tint of the list, so that a city's plasters differ clearly
     Color tint = tints[(first + 2 * i) % tints.size()];
     for (double& c : tint) c = std::min(1.0, c * draws.uniform(0.9, 1.05));
     m.plaster.push_back(

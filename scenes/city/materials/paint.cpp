@@ -45,7 +45,7 @@ TextureSet paint(int size, double tile_m, bool with_alpha,
     for (int x = 0; x < size; ++x) {
       const double nx = -(at(x + 1, y) - at(x - 1, y)) / (2 * texel_m);
       const double ny =
-          (at(x, y + 1) - at(x, y - 1)) / (2 * texel_m);  // green points up the image, rows run down
+          (at(x, y + 1) - at(x, y - 1)) / (2 * texel_m);  // green points up in the image, rows run down
       const double scale = 0.5 / std::sqrt(nx * nx + ny * ny + 1);
       const std::size_t i = (static_cast<std::size_t>(y) * size + x) * 3;
       set.normal.pixels[i] = to_byte(0.5 + nx * scale);

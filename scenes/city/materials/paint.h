@@ -5,10 +5,10 @@
 
 #include "scenes/city/image.h"
 
-/// The images of a material from a function of the point on its tile. Coordinates: u, v in [0, 1).
+/// Paints the images of a material from a function of the point on its tile: u, v in [0, 1), v down.
 namespace cps::city {
 
-/// What a surface looks like at one point of the tile.
+/// A surface's appearance at one point of the tile.
 struct Texel {
   std::array<double, 3> color = {0.5, 0.5, 0.5};  ///< sRGB, 0 … 1
   double height_m = 0;
@@ -16,12 +16,13 @@ struct Texel {
   double alpha = 1;
 };
 
-/// The images of a material: base colour (RGBA where alpha is used), normal map (from the heights over a tile
-/// of `tile_m` metres), occlusion-roughness-metallic.
+/// The images of a material: base colour (RGB or RGBA), normal map, and occlusion-roughness-metallic.
 struct TextureSet {
   Image base_color, normal, metallic_roughness;
 };
 
+/// Paints `size`² pixels of a tile `tile_m` wide, which scales the heights for the normal map. Calls `texel`
+/// from several threads.
 TextureSet paint(int size, double tile_m, bool with_alpha,
                  const std::function<Texel(double u, double v)>& texel);
 

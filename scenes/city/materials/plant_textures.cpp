@@ -10,12 +10,13 @@
 namespace cps::city {
 namespace {
 
-/// One leaf (or needle) lying on the card: base, direction (unit) and size, in card widths; v runs down.
+/// A leaf or needle on the card: base, direction (unit) and size, in card widths; v points down.
 struct Blade {
   double u, v, du, dv, length, width, tone;
 };
 
-/// The foremost blade over (u, v): its position along (0 … 1) and across (−1 … 1); −1 if there is none.
+/// The topmost blade at (u, v), −1 if there is none, and the position along it (0 to 1) and across it (−1 to
+/// 1).
 struct BladeHit {
   int blade = -1;
   double along = 0, across = 0;
@@ -28,14 +29,14 @@ BladeHit find_blade(const std::vector<Blade>& blades, double u, double v) {
     const double along = (x * b.du + y * b.dv) / b.length, across = x * -b.dv + y * b.du;
     if (along < 0 || along > 1) continue;
     const double half =
-        b.width * std::sin(std::numbers::pi * std::pow(along, 0.8));  // widest before the middle
+        b.width * std::sin(std::numbers::pi * std::pow(along, 0.8));  // widest nearer the base
     if (std::abs(across) < half) return {i, along, across / std::max(half, 1e-9)};
   }
   return {};
 }
 
-/// Whether all of it lies on the card, with some rim: the card tiles, so what leaves it at one edge would
-/// come in again at the opposite one.
+/// Whether the blade lies on the card with a margin. The texture repeats, so what crosses one edge would
+/// reappear at the opposite one.
 bool fits_card(const Blade& b) {
   constexpr double rim = 0.03;
   const double tip_u = b.u + b.du * b.length, tip_v = b.v + b.dv * b.length;
@@ -76,7 +77,7 @@ TextureSet bark_texture(Stream stream) {
 TextureSet birch_bark_texture(Stream stream) {
   return paint(512, bark_tile_m, false, [=](double u, double v) {
     const double grain = fractal_noise(substream(stream, 1), u, v, 24, 3);
-    // Dark lenticels: short and flat, across the stem; and now and then a black scar.
+    // Dark lenticels, short and across the stem, and a few black scars.
     const double wave = 0.02 * gradient_noise(substream(stream, 2), u, v, 6);
     const double dash = gradient_noise(substream(stream, 3), u * 0.25, v + wave, 48);
     const double scar = fractal_noise(substream(stream, 4), u, v, 5, 2);
@@ -92,7 +93,7 @@ TextureSet birch_bark_texture(Stream stream) {
 
 namespace {
 
-/// A twig: leaves along side twigs off a middle stem.
+/// The leaves of a twig: along side twigs of a central stem.
 std::vector<Blade> draw_twig(Draws& draws, int side_twigs, int leaves_per_twig, double leaf_length,
                              double slenderness) {
   std::vector<Blade> leaves;

@@ -43,7 +43,7 @@ void add_trees(ModelLibrary& library, GlbWriter& writer, const Materials& m, std
   }
 }
 
-/// One mesh in several paints; `model` says the rest.
+/// A model per paint, all sharing one mesh; the other fields are those of `model`.
 std::vector<Model> in_paints(GlbWriter& writer, const Mesh& mesh, const std::vector<MaterialId>& paints,
                              Model model) {
   std::vector<Model> painted;
@@ -85,7 +85,7 @@ void add_vehicles(ModelLibrary& library, GlbWriter& writer, const Materials& m, 
 }
 
 void add_boundaries(ModelLibrary& library, GlbWriter& writer, const Materials& m, std::uint64_t seed) {
-  const double half = boundary_module_m / 2 - 0.04;  // neighbours may touch
+  const double half = boundary_module_m / 2 - 0.04;  // shorter, so that neighbours may touch
   library.boundaries = {store(writer, hedge(m, boundary_module_m, 1.15, make_stream(seed, "hedge")), half,
                               0.4, ModelKind::boundary),
                         store(writer, picket_fence(m), half, 0.06, ModelKind::boundary),

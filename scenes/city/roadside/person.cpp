@@ -5,7 +5,7 @@ namespace cps::city {
 Mesh person(const Materials& m, Stream stream) {
   Mesh mesh{"person", {}};
   Draws draws{stream};
-  const double k = draws.uniform(1.56, 1.88) / 1.75;  // all measures below are a 1.75 m person's
+  const double k = draws.uniform(1.56, 1.88) / 1.75;  // measures below are those of a 1.75 m person
   const double stride = draws.chance(0.75) ? draws.uniform(0.12, 0.3) : 0.0;
   const MaterialId coat = draws.one_of(m.cloth), trousers = draws.one_of(m.cloth),
                    hair = draws.one_of(m.hair), skin = draws.one_of(m.skin);

@@ -5,7 +5,7 @@
 
 namespace cps::city {
 
-/// A grown person on foot, walking or standing, around the origin, looking along +x.
+/// An adult, walking or standing, at the origin, facing +x.
 Mesh person(const Materials& materials, Stream stream);
 
 }  // namespace cps::city

@@ -5,13 +5,14 @@
 
 namespace cps::city {
 
-/// What stands on one block and along its kerbs.
+/// The models placed on a block and along its kerbs so far.
 struct StandingRoom {
   const BlockPlan& plan;
   std::vector<PlacedModel> placed = {};
-  std::vector<Polygon> kept_free = {};  ///< for what comes later
+  std::vector<Polygon> kept_free = {};  ///< ground reserved for later models
 
-  /// Puts it there unless it would stand in a house, in something else or on what is kept free.
+  /// Places the model, unless it would overlap a building, another model or ground kept free. Returns whether
+  /// it did.
   bool try_place(const PlacedModel& model);
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi, horizon_m = 6000;
 constexpr int directions = 192;
 
-/// Ground height by the distance beyond the rim: level with the pavements there, hills far out.
+/// Height of the country: just below the pavements at the rim of the built area, hills far away.
 struct Ground {
   Polygon rim;
   Stream stream;
@@ -36,7 +36,7 @@ Mesh make_terrain(const Ground& ground, MaterialId material, Stream stream) {
   Mesh mesh{"terrain", {}};
   Surface& s = mesh.surfaces[material];
   std::vector<double> radii{0};
-  for (double r = 15; r < 120; r += 15) radii.push_back(r);  // fine enough to follow the city's slopes
+  for (double r = 15; r < 120; r += 15) radii.push_back(r);  // fine enough for the city's slopes
   for (double r = 120; r < horizon_m; r *= 1.055) radii.push_back(r);
   for (double radius : radii)
     for (int i = 0; i < directions; ++i) {
@@ -50,7 +50,7 @@ Mesh make_terrain(const Ground& ground, MaterialId material, Stream stream) {
       s.positions.push_back(lift(p, ground.height(p)).cast<float>());
       s.normals.push_back(normal.cast<float>());
       s.uvs.emplace_back(0.f, 0.f);
-      // Fields and woods; the far ones fade towards the sky's colour, as air does.
+      // Fields and woods; with distance they fade towards the sky's colour (aerial perspective).
       const double wood =
           std::clamp(0.5 + 2.5 * fractal_noise(stream, p.x() / 8192, p.y() / 8192, 40, 4), 0.0, 1.0);
       const double air = std::clamp(radius / 9000, 0.0, 0.5);

@@ -12,16 +12,16 @@ namespace cps::city {
 namespace {
 
 constexpr double bus_at_stop_share = 0.4;
-constexpr double slack_m = 0.1;  ///< of stretches: a chord is shorter than its arc
-/// Free road from bumper to bumper: in a queue, and between vehicles on their way.
+constexpr double slack_m = 0.1;  ///< added to stretches, because a chord is shorter than its arc
+/// Gaps from bumper to bumper, in a queue and between moving vehicles.
 constexpr double queue_gap_min_m = 1.2, queue_gap_max_m = 2.8, headway_min_m = 15, headway_max_m = 60;
 constexpr double before_stop_line_min_m = 0.3, before_stop_line_max_m = 1.2, behind_crossing_m = 1,
                  before_crossing_m = 1;
 
-/// How a style's lanes are filled.
+/// The traffic density of a style.
 struct TrafficDensity {
   double lane_share;   ///< of lanes with traffic
-  double queue_share;  ///< of those that end at a stop line without a light: with somebody waiting there
+  double queue_share;  ///< of those ending at a stop line without a traffic light: with a queue
   double headway_m;    ///< on average
 };
 
@@ -40,7 +40,7 @@ TrafficDensity density(CityStyle style) {
   return {0.65, 0.3, 32};
 }
 
-/// Between the shortest and the longest headway, short ones more often, `mean` on average.
+/// A random headway between the minimum and the maximum, with the given mean; short ones are more frequent.
 double draw_headway(Draws& draws, double mean) {
   const double t = (mean - headway_min_m) / (headway_max_m - headway_min_m);
   return std::lerp(headway_min_m, headway_max_m, std::pow(draws.uniform(0, 1), 1 / t - 1));
@@ -56,22 +56,24 @@ const Model& draw_vehicle(Draws& draws, const ModelLibrary& models, CityStyle st
   return draw_car(draws, models);
 }
 
-/// A bus that stands at a stop, by the stretch of the lane that it takes.
+/// A bus at a stop, and the stretch of lane it occupies.
 struct BusAtStop {
   PlacedModel bus;
   OccupiedStretch stretch;
 };
 
-/// Of a lane at the kerb whose side has a stop: the bus as near to the kerb as it gets, its nose at the sign.
+/// A bus at the stop beside a lane: as close to the kerb as possible, its front at the sign. None if the lane
+/// is not next to the kerb, there is no stop, no bus is drawn, or the street bends too much.
 std::optional<BusAtStop> draw_bus_at_stop(const StreetNetwork& network, const DrivingLane& lane,
                                           const ModelLibrary& models, const CityOptions& options,
                                           Draws draws) {
   constexpr double kerb_gap_m = 0.1;
-  const Side side{lane.segment, !lane.backward};  // its block lies on the lane's right
+  const Side side{lane.segment, !lane.backward};  // the side's block is on the lane's right
   const StreetProfile& profile = network.profile(side);
   const double parking = lane.backward ? profile.parking_left_m : profile.parking_right_m,
                edge = lane.backward ? profile.edge_left_m() : profile.edge_right_m();
-  if (lane.right_kerb_m > lane.width_m / 2 + edge + 0.01) return std::nullopt;  // another lane is at the kerb
+  if (lane.right_kerb_m > lane.width_m / 2 + edge + 0.01)
+    return std::nullopt;  // another lane is next to the kerb
   const KerbSide kerb = kerb_side(network, side, 0, options);
   if (!kerb.bus_stop || !draws.chance(std::min(1.0, bus_at_stop_share * options.traffic)))
     return std::nullopt;
@@ -99,8 +101,7 @@ class LaneFiller {
              Traffic& traffic, std::vector<OccupiedStretch>& occupied)
       : lane(lane), from(from_m), front(to_m), bus(std::move(bus)), traffic(traffic), occupied(occupied) {}
 
-  /// Puts a vehicle behind `gap` metres of free road, if the lane has room for it there. The road is used up
-  /// either way.
+  /// Places a vehicle behind `gap` metres of free road, if it fits there. Uses up the road in any case.
   void add(const Model& model, double gap, double sway) {
     constexpr double cycle_half_width_m = 0.5, kerb_gap_m = 0.15;
     if (bus && front - gap - 2 * model.half_length < bus->stretch.to_m + queue_gap_max_m) {
@@ -111,13 +112,14 @@ class LaneFiller {
     const double middle = front - model.half_length, rear = front - 2 * model.half_length;
     front = rear;
     if (rear < from) return;
-    // On two points of the lane, as its axles are.
+    // Its axles are on the lane's middle line.
     const Vec2 a = station_at(lane.points, middle - 0.6 * model.half_length).point,
                b = station_at(lane.points, middle + 0.6 * model.half_length).point;
     const Vec2 along = (b - a).normalized();
     const double room = std::max(0.0, lane.width_m / 2 - model.half_width - 0.02);
-    const double left = model.half_width < cycle_half_width_m ? -room + kerb_gap_m  // keeps to the right
-                                                              : sway * std::min(room, 0.25);
+    const double left = model.half_width < cycle_half_width_m
+                            ? -room + kerb_gap_m  // cyclists keep to the right
+                            : sway * std::min(room, 0.25);
     const PlacedModel vehicle{&model, (a + b) / 2 + left_of(along) * left, 0,
                               std::atan2(along.y(), along.x()), 1};
     for (const Vec2& corner : vehicle.footprint())
@@ -127,7 +129,7 @@ class LaneFiller {
 
   bool is_full() const { return front < from; }
 
-  /// The bus at the stop, if it does not stand yet.
+  /// Places the bus at the stop, unless it has been placed.
   void add_bus() {
     if (!bus) return;
     traffic.at_stops.push_back(traffic.vehicles.size());
@@ -143,13 +145,13 @@ class LaneFiller {
   }
 
   const DrivingLane& lane;
-  double from, front;  ///< what is free
+  double from, front;  ///< the free stretch
   std::optional<BusAtStop> bus;
   Traffic& traffic;
   std::vector<OccupiedStretch>& occupied;
 };
 
-/// Along the tracks on the carriageway, each with the traffic beside it.
+/// Adds cyclists along the carriageway's cycle tracks, in the direction of the traffic beside them.
 void add_cyclists_on_tracks(const StreetNetwork& network, const ModelLibrary& models,
                             const CityOptions& options, Traffic& traffic) {
   constexpr double before_junction_m = 8, kerb_room_m = 0.1;

@@ -12,13 +12,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// How leaves on a card are lit: as the surface of a clump around `clump` on a crown that faces `outwards`.
+/// What the normals of a leaf card follow: the surface of a clump of leaves around `clump`, on a crown whose
+/// surface faces `outwards`.
 struct Leafage {
   Vec3 clump, outwards;
 };
 
-/// A square card standing on `foot`, its image's upper edge towards `up`, folded a little along a diagonal.
-/// Its corners' normals spread over the clump that it is part of, so that light varies across it.
+/// Adds a square card that stands on `foot`, the image's upper edge towards `up`, folded a little along a
+/// diagonal. The normals of its corners follow the clump, so that shading varies across the card.
 void add_card(Surface& surface, const Vec3& foot, const Vec3& up, const Vec3& facing, double size,
               const Leafage& leafage) {
   constexpr double fold = 0.16, roundness = 0.85;
@@ -35,7 +36,7 @@ void add_card(Surface& surface, const Vec3& foot, const Vec3& up, const Vec3& fa
     const Vec3 from_clump = corners[i] - leafage.clump;
     Vec3 bent =
         leafage.outwards + 0.3 * normal + from_clump * (roundness / std::max(size, from_clump.norm()));
-    // On the side of both halves' fronts: the fold turns them by 13°.
+    // Keeps the normal in front of both halves, which the fold turns by 13°.
     const double across = bent.dot(normal), along = (bent - normal * across).norm();
     bent += normal * std::max(0.0, 0.4 * along - across);
     surface.positions.push_back(corners[i].cast<float>());
@@ -53,7 +54,7 @@ Vec3 random_direction(Draws& draws) {
   return {r * std::cos(a), z, r * std::sin(a)};
 }
 
-/// The crown's radius at a height between its foot (0) and its top (1).
+/// The crown's radius at relative height `t`, 0 at its lower end and 1 at its top.
 double crown_profile(const TreeSpecies& s, double t) {
   if (s.whorled) return s.crown_radius_m * std::pow(1 - t, 0.85);
   const double x = t < s.crown_top ? (s.crown_top - t) / s.crown_top : (t - s.crown_top) / (1 - s.crown_top);
@@ -72,11 +73,11 @@ void add_bent_tube(Surface& surface, const Vec3& from, const Vec3& to, double r0
 void add_broad_crown(Mesh& mesh, const TreeSpecies& s, MaterialId leaves, MaterialId bark, Draws& draws) {
   const double crown_height = s.height_m - s.trunk_height_m;
   const Vec3 centre(0, s.trunk_height_m + crown_height * 0.5, 0);
-  std::vector<Vec3> twigs;                                          // where leaves grow
+  std::vector<Vec3> twigs;                                          // ends of twigs, where leaves grow
   const double fine = std::min(1.0, 0.4 + 0.3 * s.crown_radius_m);  // small crowns have short twigs
   for (int i = 0; i < s.limbs; ++i) {
     const double t = (i + draws.uniform(0.2, 0.8)) / s.limbs;
-    const double around = 2.4 * i + draws.uniform(-0.5, 0.5);  // the golden angle, roughly
+    const double around = 2.4 * i + draws.uniform(-0.5, 0.5);  // about the golden angle
     const double reach = crown_profile(s, std::min(0.95, t * 0.9 + 0.08)) * draws.uniform(0.65, 0.9);
     const Vec3 root(0, s.trunk_height_m + crown_height * t * 0.62, 0);
     const Vec3 tip(std::cos(around) * reach, s.trunk_height_m + crown_height * (t * 0.85 + 0.1),

@@ -18,12 +18,12 @@ double sweep(const Vec2& centre, const Vec2& from, const Vec2& to) {
   return std::atan2(cross(from - centre, to - centre), (from - centre).dot(to - centre));
 }
 
-/// The arc between a line on its way to the ring and the circle around the middle, which it touches both.
+/// The arc that touches both a line leading to the ring and the ring itself.
 struct Fillet {
   Vec2 centre, on_line, on_ring;
 };
 
-/// `aside` points from the line to the arc's centre; `on` along the line towards the ring.
+/// `aside` points from the line to the arc's centre, `on` along the line towards the ring (both unit).
 Fillet fillet_to_ring(const Vec2& middle, double ring_m, const Vec2& on_line, const Vec2& on,
                       const Vec2& aside, double radius_m) {
   const double lateral = aside.dot(on_line - middle) + radius_m, reach = ring_m + radius_m;
@@ -45,13 +45,14 @@ Station start_of(const Polyline& line) {
   return {line[0], (line[1] - line[0]).normalized()};
 }
 
-/// How far the ring's kerb runs between two arms: negative where they are too close together.
+/// The angle that the ring's kerb covers between two arms; negative if they are too close together.
 double ring_between(const Roundabout& r, const Vec2& middle, const Polyline& arriving,
                     const Polyline& leaving, double inset_m) {
   const Station in = end_of(arriving), out = start_of(leaving);
   const Vec2 a = kerb_fillet(r, middle, in.point, in.direction, left_of(in.direction), inset_m).on_ring,
              b = kerb_fillet(r, middle, out.point, -out.direction, left_of(out.direction), inset_m).on_ring;
-  const double between = angle_of(a - middle) - angle_of(b - middle);  // clockwise, as the block sees it
+  const double between =
+      angle_of(a - middle) - angle_of(b - middle);  // clockwise, as the block's border runs
   return std::remainder(between - pi, 2 * pi) + pi;
 }
 
@@ -102,7 +103,7 @@ std::optional<Roundabout> draw_roundabout(const StreetNetwork& network, int junc
 }
 
 double roundabout_cut_m(const Roundabout& r, double half_width_m) {
-  constexpr double margin_m = 1.5;  // lanes reach the ring's curve a little before the kerb does
+  constexpr double margin_m = 1.5;  // the lanes' curves begin a little before the kerb's
   const double reach = r.outer_m + r.fillet_m, lateral = half_width_m + r.fillet_m;
   return std::sqrt(reach * reach - lateral * lateral) + margin_m;
 }
@@ -125,9 +126,9 @@ Polyline roundabout_way(const Roundabout& r, const Vec2& middle, const Station& 
                         int lane) {
   constexpr double step_rad = 0.1;
   const double ring_m = r.lane_radius_m(std::min(lane, r.lanes - 1));
-  // Right into the ring, left around it, right out of it.
+  // Three arcs: right into the ring, left around it, right out of it.
   const auto fillet_from = [&](const Vec2& end, const Vec2& on, const Vec2& aside) {
-    // The widest curve that does not begin before the lane's end.
+    // The largest radius whose arc begins no earlier than the lane's end.
     const double lateral = aside.dot(end - middle), room = on.dot(middle - end);
     const double widest =
         (room * room + lateral * lateral - ring_m * ring_m) / (2 * std::max(1e-3, ring_m - lateral));

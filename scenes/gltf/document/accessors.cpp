@@ -39,7 +39,7 @@ bool is_index_type(const Elements& from) {
                                   from.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
 }
 
-/// glTF 2.0 §3.6.2.3: a few elements replaced, at strictly increasing indices.
+/// Replaces the elements that a sparse accessor names, at strictly increasing indices (glTF 2.0 §3.6.2.3).
 void replace_sparse(Document& document, const tinygltf::Accessor& accessor, Elements& dense,
                     const std::string& where) {
   const auto& sparse = accessor.sparse;

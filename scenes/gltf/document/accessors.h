@@ -10,12 +10,13 @@
 
 namespace cps::gltf {
 
-/// The bytes of a buffer view from `offset` on, after checking that they lie inside its buffer.
+/// The bytes of a buffer view from `offset` to its end. Refuses a view that does not exist or reaches beyond
+/// its buffer.
 std::span<const unsigned char> bytes_of_view(const Document& document, int buffer_view, std::size_t offset,
                                              const std::string& where);
 
-/// The elements of an accessor: `count` of them, `stride` bytes apart, each of `components` numbers. All of
-/// it lies inside its buffer. Sparse accessors (and those without a buffer view, which are zeros) own a dense
+/// The elements of an accessor: `count` of them, `stride` bytes apart, each of `components` numbers, all
+/// inside the accessor's buffer. A sparse accessor, or one without a buffer view (all zeros), owns a dense
 /// copy.
 struct Elements {
   const unsigned char* data = nullptr;
@@ -26,15 +27,16 @@ struct Elements {
   std::vector<unsigned char> owned = {};
 };
 
-/// Checks every offset, size and stride before it gives out the bytes. `where` names the accessor's user in
+/// Reads an accessor, after checking every offset, size and stride. `where` names the accessor's user in
 /// messages.
 Elements elements(Document& document, int accessor, const std::string& where);
 
 /// Component `c` of element `i` as a number; normalised integers become [0, 1] or [−1, 1] (glTF 2.0 §3.11).
-/// Unchecked.
+/// Neither index is checked.
 float component(const Elements& elements, std::size_t i, int c);
 
-/// Elements `picked` (unchecked: each < count) of vectors that must have N components.
+/// The elements with numbers `picked` (not checked: each must be < count). Refuses an accessor that does not
+/// have N components.
 template <int N>
 std::vector<Eigen::Matrix<float, N, 1>> read_vectors(Document& document, const Elements& from,
                                                      const std::string& where,
@@ -49,7 +51,7 @@ std::vector<Eigen::Matrix<float, N, 1>> read_vectors(Document& document, const E
   return vectors;
 }
 
-/// All elements of a scalar u8, u16 or u32 accessor.
+/// All elements of a scalar u8, u16 or u32 accessor; refuses other types and primitive-restart values.
 std::vector<std::uint32_t> read_indices(Document& document, int accessor, const std::string& where);
 
 }  // namespace cps::gltf

@@ -15,13 +15,14 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-/// tinygltf counts bytes in 32 bits, images in 31.
+/// tinygltf stores file sizes in 32 bits and image sizes in 31.
 constexpr std::size_t max_file_bytes = std::numeric_limits<std::int32_t>::max();
 
-/// "[1,1,1,…" takes two bytes of text a value, and 16 in the first tree, 150 in tinygltf's.
+/// Memory per byte of JSON text: a value of "[1,1,1,…" is two bytes of text, 16 in nlohmann's tree and 150 in
+/// tinygltf's.
 constexpr std::size_t max_json_growth = 128;
 
-/// Reads a regular file of at most `max_bytes`; `why` names what is wrong otherwise.
+/// Reads a regular file of at most `max_bytes`. On failure returns false and says why in `why`.
 bool read_bytes(const std::filesystem::path& file, std::size_t max_bytes, Bytes& bytes, std::string& why) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -49,7 +50,8 @@ bool is_glb(const Bytes& bytes) {
   return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0;
 }
 
-/// glTF 2.0 §4.4: a 12-byte header, then chunks of length, type and data, JSON first. Returns the JSON.
+/// Checks the container (glTF 2.0 §4.4: a 12-byte header, then chunks of length, type and data, JSON first)
+/// and returns its JSON.
 std::string_view check_glb(const std::filesystem::path& file, const Bytes& bytes) {
   constexpr std::uint32_t json_chunk = 0x4E4F534A;
   if (bytes.size() < 20) refuse(file, "GLB header", "the file ends inside it: is it complete?");
@@ -72,7 +74,7 @@ std::string_view check_glb(const std::filesystem::path& file, const Bytes& bytes
   return {reinterpret_cast<const char*>(bytes.data()) + 20, little_endian_u32(bytes, 12)};
 }
 
-/// The same file with another JSON text.
+/// The file's bytes with its JSON replaced by `text`.
 Bytes with_json(const Bytes& bytes, std::string text) {
   if (!is_glb(bytes)) return {text.begin(), text.end()};
   text.resize((text.size() + 3) / 4 * 4, ' ');
@@ -87,22 +89,22 @@ Bytes with_json(const Bytes& bytes, std::string text) {
   return changed;
 }
 
-/// Keeps an image file's bytes for later. Images in buffer views are left alone: tinygltf hands over a
-/// pointer it has not checked.
+/// tinygltf's image callback: keeps the encoded bytes, which are decoded later. Skips images in buffer views,
+/// because tinygltf passes a pointer it has not checked.
 bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
                       const unsigned char* bytes, int size, void*) {
   if (image->bufferView == -1) image->image.assign(bytes, bytes + size);
   return true;
 }
 
-/// The glTF file's folder, and how many bytes may still be read from the files in it: a thousand buffers can
-/// name the same large one.
+/// The glTF file's folder, and how many bytes may still be read from files in it. The limit is on the total
+/// because a thousand buffers can name the same large file.
 struct Folder {
   std::string path;
   std::size_t bytes_left;
 };
 
-/// tinygltf looks for files beside the glTF file and then in the current directory; only the former is meant.
+/// Lets tinygltf read files beside the glTF file only: by itself it would look in the current directory too.
 tinygltf::FsCallbacks files_beside(Folder* folder) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.FileExists = [](const std::string& path, void* user) {
@@ -155,7 +157,7 @@ Document read_document(const std::filesystem::path& file, std::size_t max_decode
   } catch (const std::exception& exception) {
     error = exception.what();
   }
-  // It also returns true after errors that made it drop a part of the file.
+  // tinygltf also returns true after errors that made it drop a part of the file.
   if (!loaded || !error.empty()) refuse(file, "glTF", error.empty() ? "cannot be parsed" : error);
   return document;
 }

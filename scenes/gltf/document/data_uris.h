@@ -4,8 +4,9 @@
 
 namespace cps::gltf {
 
-/// tinygltf takes data URIs of a few media types only, image/webp not among them: others, which are told by
-/// their content here anyway, become application/octet-stream. True when the JSON changed.
+/// Renames the media type of data URIs that tinygltf would refuse (image/webp is one) to
+/// application/octet-stream; the importer recognises images by content anyway. Returns whether the JSON
+/// changed.
 bool complete_data_uris(nlohmann::json& root);
 
 }  // namespace cps::gltf

@@ -9,7 +9,7 @@
 
 namespace cps::gltf {
 
-/// One file on its way to becoming a Scene: what tinygltf read of it, and what was found on the way.
+/// A file being imported: its model as read by tinygltf, the warnings so far and the memory used so far.
 struct Document {
   std::filesystem::path file;  ///< for messages
   tinygltf::Model model = {};
@@ -18,22 +18,23 @@ struct Document {
   std::size_t max_decoded_bytes = 0;
 };
 
-/// Throws std::runtime_error("<file>: <where>: <what>"), made one printable line.
+/// Throws std::runtime_error("<file>: <where>: <what>"), cut to one printable line.
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& where,
                          const std::string& what);
 [[noreturn]] void refuse(const Document& document, const std::string& where, const std::string& what);
 
-/// Notes a finding that does not stop the import; the same text only once.
+/// Adds a warning, unless the same text is there already.
 void warn(Document& document, const std::string& text);
 
-/// To be called before `count` elements of `bytes_each` are allocated: refuses when the scene grows too
-/// large.
+/// Counts `count` elements of `bytes_each` towards the scene's memory; call it before allocating them.
+/// Refuses the file when the sum exceeds `max_decoded_bytes`.
 void reserve_memory(Document& document, const std::string& where, std::size_t count, std::size_t bytes_each);
 
-/// "meshes[3]": how JSON paths are written in messages.
+/// A JSON path for messages: "meshes[3]".
 std::string element(const char* array, std::size_t index);
 
-/// True when `index` names an element of `array`; glTF leaves references unchecked, and so does tinygltf.
+/// Whether `index` names an element of `array`. Files may hold references to nothing, and tinygltf does not
+/// check them.
 template <class T>
 bool in_range(int index, const std::vector<T>& array) {
   return index >= 0 && static_cast<std::size_t>(index) < array.size();

@@ -36,9 +36,9 @@ int component_type(draco::DataType type) {
   }
 }
 
-/// Draco allocates what the header claims before it looks whether so much data follows: the claim is checked
-/// here, in the bitstream that KHR_draco_mesh_compression asks for, 2.2. Takes the buffer by value, which
-/// copies its position and not its bytes.
+/// Checks the sizes in the header, because Draco allocates them before it knows whether so much data follows.
+/// Accepts bitstream 2.2 only, as KHR_draco_mesh_compression requires. Takes the buffer by value, which
+/// copies its read position but not its bytes.
 void check_header(Document& document, draco::DecoderBuffer buffer, const std::string& where) {
   const auto fail = [&](const std::string& why) {
     refuse(document, where, "Draco data cannot be decoded (" + why + ")");
@@ -62,7 +62,7 @@ void check_header(Document& document, draco::DecoderBuffer buffer, const std::st
                                draco::DecodeVarint(&faces, &buffer)
                          : draco::DecodeVarint(&faces, &buffer) && draco::DecodeVarint(&vertices, &buffer);
   if (!whole) fail("it is cut off");
-  constexpr std::size_t decoder_bytes = 64;  // a face's share of the decoder's tables
+  constexpr std::size_t decoder_bytes = 64;  // that the decoder's tables take per face or vertex
   reserve_memory(document, where, std::max(vertices, faces), decoder_bytes);
 }
 
@@ -77,8 +77,8 @@ std::unique_ptr<draco::Mesh> decode(Document& document, int view, const std::str
   return std::move(decoded).value();
 }
 
-/// Appends `data` as a buffer, its view and an accessor of `count` elements to the model; returns the
-/// accessor.
+/// Adds a buffer of `data`, a view of it and an accessor of `count` elements to the model; returns the
+/// accessor's index.
 int add_accessor(Document& document, std::vector<unsigned char> data, std::size_t count, int component,
                  int type, bool normalized) {
   tinygltf::Model& model = document.model;

@@ -6,12 +6,12 @@
 
 namespace cps::gltf {
 
-/// tinygltf refuses index accessors without a buffer view, which compressed primitives rightly have: gives
-/// them the compressed data's. True when the JSON changed.
+/// Gives the index accessors of compressed primitives the buffer view of the compressed data: they rightly
+/// have none, but tinygltf refuses such accessors. Returns whether the JSON changed.
 bool complete_draco_accessors(nlohmann::json& root);
 
-/// A primitive with KHR_draco_mesh_compression as one without: decoded into a new buffer of the document,
-/// with new accessors. Others come back as they are.
+/// Decodes a primitive with KHR_draco_mesh_compression into new buffers and accessors of the document, and
+/// returns it without the extension. Returns other primitives as they are.
 tinygltf::Primitive without_draco(Document& document, const tinygltf::Primitive& primitive,
                                   const std::string& where);
 

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr int max_depth = 100;
 
-/// Properties that, where they exist, must be whole numbers ("[]": each element, "*": each member).
+/// Properties that must be whole numbers if present ("[]": each element, "*": each member).
 constexpr const char* whole_numbers[] = {
     "scene",
     "scenes[].nodes[]",
@@ -88,8 +88,8 @@ bool is_number(const json& value) {
 
 using Rule = bool (*)(const json&);
 
-/// Follows `path` from `value`, which stands at `place`, and applies `rule` at its ends. Where that fails,
-/// `place` says.
+/// Follows `path` from `value`, whose own path is `place`, and applies `rule` to every value it leads to. On
+/// failure `place` is the path of the value at fault.
 bool holds(const json& value, std::string_view path, Rule rule, std::string& place) {
   if (path.empty()) return rule(value);
   const std::size_t dot = path.find('.'), length = place.size();
@@ -132,7 +132,7 @@ void check_numbers(const std::filesystem::path& file, const json& root) {
   for (const char* path : numbers) check(path, is_number, "a number");
 }
 
-/// Before parsing, for text that need not be JSON.
+/// Whether brackets nest deeper than `limit`. Runs before parsing, on text that need not be JSON.
 bool is_nested_deeper(std::string_view text, int limit) {
   int depth = 0;
   bool in_string = false;

@@ -9,20 +9,19 @@
 
 namespace cps::gltf {
 
-/// The scene's meshes and which glTF mesh they came from. Only those that nodes really use are made.
+/// Makes the scene's meshes from the glTF meshes that nodes use, and remembers which came from which.
 struct MeshTable {
   Document& document;
   Scene& scene;
   MaterialTable materials;
-  /// glTF mesh and its morph targets' weights → scene's, one for each primitive of triangles
+  /// (glTF mesh, morph weights) → the scene's meshes, one per triangle primitive
   std::map<std::pair<int, std::vector<double>>, std::vector<int>> shared = {};
 };
 
-/// Adds a glTF mesh to the scene, one mesh for each of its primitives of triangles, and returns their
-/// indices.
+/// Adds a glTF mesh to the scene as one mesh per triangle primitive, and returns their indices.
 std::vector<int> add_meshes(MeshTable& table, int gltf_mesh, const RestPose& pose);
 
-/// The scene's meshes for a glTF mesh without a skin, added on first use.
+/// Indices of the scene's meshes for a glTF mesh without a skin; adds them on first use.
 const std::vector<int>& shared_meshes(MeshTable& table, int gltf_mesh, const std::vector<double>& weights);
 
 }  // namespace cps::gltf

@@ -10,13 +10,14 @@ namespace {
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
-/// Twice the area times the unit normal.
+/// The triangle's unit normal times twice its area.
 Vector3f area_normal(const Mesh& mesh, const Vector3i& triangle) {
   const Vector3f& a = mesh.positions[triangle[0]];
   return (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a);
 }
 
-/// Sizes do not matter here, so tiny triangles must not underflow; those without a direction become +y.
+/// The unit vector along `v`, +y for a zero vector. Scales first, so that the normals of tiny triangles do
+/// not underflow.
 Vector3f direction_or_up(const Vector3f& v) {
   const Vector3f scaled = v / std::max(v.cwiseAbs().maxCoeff(), 1e-38f);
   const float length = scaled.norm();

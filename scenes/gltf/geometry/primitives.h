@@ -8,15 +8,15 @@
 
 namespace cps::gltf {
 
-/// What bends a mesh when nothing is animated.
+/// How a mesh is deformed while nothing is animated.
 struct RestPose {
-  std::vector<double> weights;                    ///< of its morph targets
-  std::vector<Eigen::Affine3f> joint_transforms;  ///< a skin's; empty without one
+  std::vector<double> weights;                    ///< of the morph targets
+  std::vector<Eigen::Affine3f> joint_transforms;  ///< of the skin; empty without one
 };
 
-/// The mesh that a primitive describes, without triangles where it is points or lines (with a warning).
-/// Missing or broken normals and tangents are made. Morph targets are applied with `pose`'s weights; with its
-/// joint transforms the mesh is bent to the world's frame.
+/// Makes a mesh of a primitive; points and lines give a mesh without triangles and a warning. Makes normals
+/// and tangents that are missing or broken. Applies the morph targets with the weights of `pose`; if `pose`
+/// has joint transforms, the mesh is deformed by them into the world frame.
 Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive, const RestPose& pose,
                const std::string& where);
 

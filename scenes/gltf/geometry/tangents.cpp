@@ -18,7 +18,7 @@ Vector3f in_plane(const Vector3f& v, const Vector3f& normal) {
   return (v - normal * normal.dot(v)).stableNormalized();
 }
 
-/// The angle of a triangle's corner as seen along the vertex's normal.
+/// The angle of a triangle's corner, projected along the vertex normal.
 float corner_angle(const Mesh& mesh, const Vector3i& triangle, int corner) {
   const Vector3f& at = mesh.positions[triangle[corner]];
   const Vector3f& normal = mesh.normals[triangle[corner]];
@@ -27,8 +27,7 @@ float corner_angle(const Mesh& mesh, const Vector3i& triangle, int corner) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// One number for all vertices that agree in position, normal and texture coordinates, however often the file
-/// repeats them.
+/// Numbers the vertices such that those equal in position, normal and texture coordinates share a number.
 std::vector<std::uint32_t> welded_numbers(const Mesh& mesh, const std::vector<Vector2f>& uv) {
   const auto key = [&](std::uint32_t i) {
     const Vector3f &p = mesh.positions[i], &n = mesh.normals[i];
@@ -47,8 +46,8 @@ void repeat(std::vector<T>& values, int index) {
   if (!values.empty()) values.push_back(T(values[index]));
 }
 
-/// A triangle's ∂position/∂u, and whether its uv are mirrored: v runs down in glTF, so a front face whose u
-/// runs right and v down is the unmirrored one.
+/// A triangle's ∂position/∂u, and whether its uv are mirrored. As v points down in glTF, a front face with u
+/// to the right and v down is not mirrored.
 struct UvFrame {
   Vector3f along_u = Vector3f::Zero();
   bool mirrored = false;

@@ -9,19 +9,19 @@
 
 namespace cps::gltf {
 
-/// The corners of triangles, three vertex numbers each, from a primitive's indices in TRIANGLES,
-/// TRIANGLE_STRIP or TRIANGLE_FAN order. Triangles with a repeated corner (strips are stitched with them) are
-/// left out.
+/// The corners of a primitive's triangles, three vertex numbers each. `mode` is TRIANGLES, TRIANGLE_STRIP or
+/// TRIANGLE_FAN. Drops triangles with a repeated corner, which join strips.
 std::vector<std::uint32_t> triangle_corners(Document& document, int mode,
                                             std::span<const std::uint32_t> indices, const std::string& where);
 
-/// Triangles over only those vertices that they use: vertex i was vertex `vertices[i]`, in the same order.
+/// Triangles renumbered over the vertices they use; `vertices[i]` is the former number of vertex i
+/// (ascending).
 struct CompactTriangles {
   std::vector<std::uint32_t> vertices;
   std::vector<Eigen::Vector3i> triangles;
 };
 
-/// Many primitives may share one huge vertex buffer: each keeps its own part only.
+/// Drops unused vertices: many primitives may share one huge vertex buffer, and each keeps only its part.
 CompactTriangles compact(Document& document, std::span<const std::uint32_t> corners,
                          const std::string& where);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int max_side = 16384;
 
-/// The image's file as it lies in a buffer view, or as it was read from its URI.
+/// The encoded image, from its buffer view or as read from its URI.
 std::span<const unsigned char> encoded_bytes(const Document& document, int index, const std::string& where) {
   const tinygltf::Image& image = document.model.images[index];
   if (image.bufferView != -1) return bytes_of_view(document, image.bufferView, 0, where);
@@ -30,8 +30,8 @@ bool starts_with(std::span<const unsigned char> bytes, std::string_view magic, s
          std::memcmp(bytes.data() + offset, magic.data(), magic.size()) == 0;
 }
 
-/// OpenImageIO's name for the format, by its signature: only decoders that glTF calls for are let at foreign
-/// bytes.
+/// OpenImageIO's name for the format with this signature. Only formats that glTF allows, so that no other
+/// decoder sees untrusted bytes.
 const char* format_name(const Document& document, std::span<const unsigned char> bytes,
                         const std::string& where) {
   if (starts_with(bytes, "\x89PNG")) return "png";
@@ -45,8 +45,8 @@ const char* format_name(const Document& document, std::span<const unsigned char>
                : std::string("is neither PNG, JPEG nor WebP"));
 }
 
-/// A PNG is a signature and chunks of length, type, data and checksum, IEND last. libpng reports what is
-/// broken there on the terminal, so it is found before.
+/// Whether a PNG's chunks (length, type, data, checksum; IEND last) are complete and their checksums right.
+/// Checked here because libpng would report the error on the terminal.
 bool is_whole_png(std::span<const unsigned char> bytes) {
   const auto big_endian_u32 = [&](std::size_t at) {
     return std::uint32_t{bytes[at]} << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
@@ -64,7 +64,7 @@ bool is_whole_png(std::span<const unsigned char> bytes) {
   return false;
 }
 
-/// Gray becomes red = green = blue; a missing alpha becomes 255.
+/// Converts 1 to 4 channels to RGBA: gray becomes red = green = blue, a missing alpha 255.
 void to_rgba(const std::vector<std::uint8_t>& pixels, int channels, std::vector<std::uint8_t>& rgba) {
   const bool has_alpha = channels == 2 || channels == 4;
   const int green = channels >= 3 ? 1 : 0, blue = channels >= 3 ? 2 : 0;

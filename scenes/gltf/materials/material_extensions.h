@@ -6,7 +6,7 @@
 
 namespace cps::gltf {
 
-/// Reads what a material's extensions add to it: KHR_materials_ior, _specular, _clearcoat, _transmission,
+/// Reads a material's extensions into `material`: KHR_materials_ior, _specular, _clearcoat, _transmission,
 /// _unlit and _emissive_strength (which multiplies `material.emissive`).
 void read_material_extensions(MaterialTable& table, const tinygltf::ExtensionMap& extensions,
                               const std::string& where, Material& material);

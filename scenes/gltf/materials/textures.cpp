@@ -20,7 +20,7 @@ Wrap wrap_mode(const Document& document, int mode, const std::string& where) {
   refuse(document, where, "wrap mode " + std::to_string(mode) + " is not one of glTF's");
 }
 
-/// The image behind a glTF texture; EXT_texture_webp's where the file gives nothing else.
+/// The image of a glTF texture; the one in EXT_texture_webp if there is no other.
 int image_of(const Document& document, int texture_index, const std::string& where) {
   if (!in_range(texture_index, document.model.textures))
     refuse(document, where, "texture " + std::to_string(texture_index) + " does not exist");
@@ -87,8 +87,8 @@ TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
     const double rotation = extension_numbers(document, transform, "rotation", {0}, name)[0];
     if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
       slot.uv_set = transform.Get("texCoord").GetNumberAsInt();
-    // Anticlockwise as seen with v pointing down, as the extension's own example and all viewers have it; the
-    // GLSL lines in its text turn the other way (KhronosGroup/glTF, 1563).
+    // The rotation is anticlockwise with v pointing down, as in the extension's example and in all viewers;
+    // the GLSL code in its text turns the other way (KhronosGroup/glTF, issue 1563).
     slot.uv_transform = Eigen::Translation2d(offset[0], offset[1]).cast<float>() *
                         Eigen::Rotation2Dd(-rotation).cast<float>() *
                         Eigen::Scaling(static_cast<float>(scale[0]), static_cast<float>(scale[1]));

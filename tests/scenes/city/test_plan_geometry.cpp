@@ -5,7 +5,7 @@
 
 using namespace cps::city;
 
-TEST_CASE("an offset line keeps its distance from every piece of the original") {
+TEST_CASE("an offset line has the given distance from every piece of the original") {
   const Polyline line{{0, 0}, {20, 0}, {35, 9}, {60, 4}};
   for (const double d : {3.0, -2.5}) {
     const Polyline moved = offset(line, d);
@@ -18,7 +18,7 @@ TEST_CASE("an offset line keeps its distance from every piece of the original") 
   }
 }
 
-TEST_CASE("a fillet touches both lines and bends with its radius") {
+TEST_CASE("a fillet is an arc of its radius that touches both lines") {
   const Vec2 corner(4, 7), in(1, 0), out = Vec2(-0.3, 1).normalized();
   const Polyline arc = fillet(corner, in, out, 5, 16);
   CHECK(std::abs(cross(in, arc.front() - corner)) < 1e-12);
@@ -27,7 +27,7 @@ TEST_CASE("a fillet touches both lines and bends with its radius") {
   for (const Vec2& p : arc) CHECK((p - centre).norm() == Approx(5));
 }
 
-TEST_CASE("triangles fill a polygon exactly") {
+TEST_CASE("a triangulation has the polygon's area and no inverted triangle") {
   const Polygon l_shape{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 5}, {0, 5}};
   double area = 0;
   for (const auto& [a, b, c] : triangulate(l_shape)) {
@@ -39,7 +39,7 @@ TEST_CASE("triangles fill a polygon exactly") {
   CHECK(signed_area(l_shape) == Approx(18));
 }
 
-TEST_CASE("overlap tells apart sharing ground from sharing a wall") {
+TEST_CASE("polygons that share ground overlap, polygons that share an edge do not") {
   const Polygon a{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const auto moved = [&](double x, double y) {
     Polygon b = a;
@@ -55,7 +55,7 @@ TEST_CASE("overlap tells apart sharing ground from sharing a wall") {
   CHECK_FALSE(overlap(a, moved(4.5, 4.5)));
 }
 
-TEST_CASE("a piece cut from a line has the length asked for and keeps the bends") {
+TEST_CASE("a piece cut from a line has the requested length and the line's bends") {
   const Polyline line{{0, 0}, {10, 0}, {10, 10}};
   const Polyline piece = cut(line, 4, 13);
   CHECK(length(piece) == Approx(9));
@@ -65,8 +65,9 @@ TEST_CASE("a piece cut from a line has the length asked for and keeps the bends"
   CHECK(length(subdivided(line, 0.7)) == Approx(20));
 }
 
-TEST_CASE("triangles cover a polygon whose corners repeat") {
-  // A block's border: corners of radius 0 are arcs of one point. Ears next to them used to be overlooked.
+TEST_CASE("a polygon with repeated corners is triangulated completely") {
+  // As in a block's border, where a corner of radius 0 is an arc of one repeated point. Ears next to such
+  // corners used to be missed.
   Polygon polygon;
   for (const Vec2& corner : {Vec2(0, 0), Vec2(10, 0), Vec2(11, 8), Vec2(5, 4), Vec2(-1, 7)})
     for (int i = 0; i < 9; ++i) polygon.push_back(corner);
@@ -77,7 +78,7 @@ TEST_CASE("triangles cover a polygon whose corners repeat") {
   CHECK(area == Approx(signed_area(polygon)));
 }
 
-TEST_CASE("triangles of a convex floor are Delaunay's: none is needlessly long") {
+TEST_CASE("the triangulation of a convex polygon is Delaunay") {
   Polygon polygon;  // a block with rounded corners
   for (const auto& [corner, in, out] : {std::tuple{Vec2(0, 0), Vec2(0, -1), Vec2(1, 0)},
                                         {Vec2(60, 0), Vec2(1, 0), Vec2(0, 1)},

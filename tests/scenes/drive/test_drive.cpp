@@ -25,7 +25,8 @@ void add_box(Scene& scene, const Vector3f& low, const Vector3f& high) {
   scene.bounds.extend(low).extend(high);
 }
 
-/// A road of 10 m along x between two rows of houses, 200 m long; the ground goes on below the houses.
+/// A road along x, 10 m wide and 200 m long, between two rows of houses. The ground continues below the
+/// houses.
 Scene street() {
   Scene scene;
   scene.materials.resize(1);
@@ -47,7 +48,7 @@ std::vector<Lane> route_of(const std::string& text, double scale = 1) {
 
 }  // namespace
 
-TEST_CASE("the ground between houses is found, and what is below them is not part of it") {
+TEST_CASE("the drivable ground is the road between houses, not the ground below them") {
   const Scene scene = street();
   const SceneRays rays(scene);
   const GroundGrid ground = ground_grid(scene, rays);
@@ -59,7 +60,7 @@ TEST_CASE("the ground between houses is found, and what is below them is not par
   CHECK(ground.area_m2 == Approx(200 * 10).epsilon(0.15));
 }
 
-TEST_CASE("a car passes below a bridge, but not below a plank") {
+TEST_CASE("a car can drive below a high bridge, but not below a low one") {
   for (const float height : {1.5f, 4.0f}) {
     Scene scene = street();
     add_box(scene, {-5, height, -3}, {5, height + 0.3f, 3});
@@ -69,8 +70,9 @@ TEST_CASE("a car passes below a bridge, but not below a plank") {
   }
 }
 
-// LittlestTokyo: a hull around everything, 8 cm outside it, made its ground a space too low for cars.
-TEST_CASE("an outline hull, a shell turned inside out, is no ceiling and nobody is inside it") {
+// In the model LittlestTokyo, an outline hull 8 cm outside everything made the space above the ground too
+// low.
+TEST_CASE("an outline hull (a shell turned inside out) is no ceiling, and a place in it is not inside") {
   Scene scene = street();
   scene.meshes.push_back(box());
   for (Eigen::Vector3i& triangle : scene.meshes[1].triangles) std::swap(triangle.y(), triangle.z());
@@ -81,7 +83,7 @@ TEST_CASE("an outline hull, a shell turned inside out, is no ceiling and nobody 
   CHECK(place_fault(rays, {0, 1.5, 0}, {1, 0, 0}, 2.5) == PlaceFault::none);
 }
 
-TEST_CASE("drives keep clear of the walls and of one another") {
+TEST_CASE("drives keep their distance from walls and from each other") {
   const Scene scene = street();
   const SceneRays rays(scene);
   const std::vector<Lane> drives = find_drives(ground_grid(scene, rays));
@@ -99,7 +101,7 @@ TEST_CASE("drives keep clear of the walls and of one another") {
   CHECK(longest_m > 80);
 }
 
-TEST_CASE("a scene without a way to drive has no drives") {
+TEST_CASE("a scene without drivable ground has no drives") {
   Scene scene;
   scene.materials.resize(1);
   scene.meshes = {box()};
@@ -107,7 +109,7 @@ TEST_CASE("a scene without a way to drive has no drives") {
   CHECK(find_drives(ground_grid(scene, SceneRays(scene))).empty());
 }
 
-TEST_CASE("the unit is guessed as a power of ten") {
+TEST_CASE("the unit of a scene is guessed as a power of ten") {
   Scene scene = street();  // 200 x 13 x 50 m
   CHECK(guess_unit_scale(scene) == 1);
   for (const double unit : {0.01, 0.1, 10.0, 1000.0}) {
@@ -120,13 +122,13 @@ TEST_CASE("the unit is guessed as a power of ten") {
   }
 }
 
-TEST_CASE("a mast does not make a street of metres one of decimetres") {
+TEST_CASE("a mast does not change the guessed unit") {
   Scene scene = street();
   add_box(scene, {0, 0, 0}, {1, 350, 1});
   CHECK(guess_unit_scale(scene) == 1);
 }
 
-TEST_CASE("a scaled lamp lights its scaled surroundings as before") {
+TEST_CASE("scaling a scene scales its lights so that surfaces are as bright as before") {
   Scene scene = street();
   scene.lights = {{.name = "lamp", .position = {1, 2, 3}, .intensity = {1, 1, 1}},
                   {.name = "sun", .kind = PunctualLight::Kind::directional, .intensity = {1, 1, 1}}};
@@ -136,7 +138,7 @@ TEST_CASE("a scaled lamp lights its scaled surroundings as before") {
   CHECK(scene.lights[1].intensity == Vector3f(1, 1, 1));
 }
 
-TEST_CASE("a route without headings is a lane through its points, in stretches") {
+TEST_CASE("a route without headings becomes a lane through its points, cut into stretches") {
   const std::vector<Lane> lanes = route_of("x,y,z\n0,1,0\n 100, 1 ,0\n100,1,0\r\n\n100,1,200\n", 2);
   CHECK(lanes.size() == 10);  // 600 m
   std::set<std::string> streets;
@@ -155,7 +157,7 @@ TEST_CASE("a route without headings is a lane through its points, in stretches")
   CHECK(route_of("0,0,0\n5,0,0\n").size() == 3);
 }
 
-TEST_CASE("a route with headings is places, each heading as it says") {
+TEST_CASE("a route with headings becomes one place per point, with its heading") {
   const std::vector<Lane> lanes = route_of("0,0,0,90\n3,0,0,180\n3,0,0,0\n9,1,2,-45\n");
   REQUIRE(lanes.size() == 4);
   const double expected_deg[] = {90, 180, 0, -45};
@@ -166,7 +168,7 @@ TEST_CASE("a route with headings is places, each heading as it says") {
   CHECK(place_on_lane(lanes[3], 0.05, 0, 0).position.isApprox(Vector3d(9, 1, 2), 1e-6));
 }
 
-TEST_CASE("a route that cannot be is refused by file and line") {
+TEST_CASE("an invalid route is refused by file and line") {
   CHECK_THROWS_WITH(route_of("x,y,z\n1,2\n"), Catch::Contains("drive.csv: line 2: must be x,y,z"));
   CHECK_THROWS_WITH(route_of("1,2,3\n1,2,nan\n"), Catch::Contains("line 2"));
   CHECK_THROWS_WITH(route_of("1,2,3\n1,2,3,4\n"), Catch::Contains("line 2"));

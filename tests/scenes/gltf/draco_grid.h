@@ -7,6 +7,6 @@ inline constexpr int grid_columns = 9;
 /// Vertex (x, y) of the grid, 0 ≤ x, y < grid_columns.
 Eigen::Vector3f grid_point(int x, int y);
 
-/// A bumpy grid as one_square()'s primitive, compressed by Draco, with the accessors that the specification
-/// asks for: counts and types, but no buffer views.
+/// A Draco-compressed bumpy grid. Its accessors have counts and types but no buffer views, as the
+/// specification requires.
 GltfMaker draco_grid();

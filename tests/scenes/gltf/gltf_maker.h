@@ -9,16 +9,16 @@
 #include "scenes/scene.h"
 #include "tests/temporary_folder.h"
 
-/// A glTF file being made by hand: JSON as a test likes it and one buffer.
+/// Builds a glTF file from JSON that the test edits and one buffer.
 struct GltfMaker {
   nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
   std::vector<unsigned char> buffer;
 
-  /// Appends bytes (on a 4-byte border) as a buffer view; returns its index.
+  /// Appends bytes, 4-byte aligned, as a buffer view; returns its index.
   int add_view(const void* data, std::size_t size, std::size_t stride = 0);
   /// Adds an accessor over a view; `type` as in glTF ("VEC3"), `component` 5121, 5123, …
   int add_accessor(int view, int component, const char* type, std::size_t count, bool normalized = false);
-  /// A view and an accessor over all of it.
+  /// Adds a view of floats and an accessor over all of it; returns the accessor's index.
   int add_floats(const std::vector<float>& values, const char* type);
   template <class T>
   int add(const std::vector<T>& values, int component, const char* type, std::size_t count,
@@ -26,13 +26,13 @@ struct GltfMaker {
     return add_accessor(add_view(values.data(), values.size() * sizeof(T)), component, type, count,
                         normalized);
   }
-  /// Adds an image file to the buffer, a texture that shows it, and returns the texture's index.
+  /// Adds an image file to the buffer and a texture of it; returns the texture's index.
   int add_texture(const std::vector<unsigned char>& image_file);
 
   nlohmann::json& primitive() { return json["meshes"][0]["primitives"][0]; }
 
   std::vector<unsigned char> glb() const;
-  /// JSON text with the buffer as `uri`, or as a data URI without one.
+  /// The JSON text, with the buffer at `uri`, or as a data URI if `uri` is empty.
   std::string gltf(const std::string& uri = "") const;
 };
 
@@ -43,12 +43,12 @@ GltfMaker one_triangle();
 /// TEXCOORD_0, and material 0.
 GltfMaker one_square();
 
-/// The triangle with a skin of two joints: node 1, moved by (10,0,0) in the rest pose and by (4,0,0) when
-/// bound, and node 2 at the origin, turned by 90° about z. The mesh's own node is moved, which skinned meshes
+/// The triangle with a skin of two joints: node 1, at (10,0,0) in the rest pose and (4,0,0) in the bind pose,
+/// and node 2, at the origin and turned by 90° about z. The mesh's node is moved too, which skinned meshes
 /// ignore.
 GltfMaker skinned_triangle();
 
-/// PNG, or what `format` says, of `channels` × width × height values.
+/// Encodes width × height × `channels` values in an image format ("png", "jpeg", …).
 std::vector<unsigned char> encode_image(const std::string& format, int width, int height, int channels,
                                         const std::vector<std::uint8_t>& values);
 
@@ -63,6 +63,6 @@ cps::Scene import_bytes(const std::vector<unsigned char>& bytes,
                         std::vector<std::string>* warnings = nullptr);
 cps::Scene import_glb(const GltfMaker& maker, std::vector<std::string>* warnings = nullptr);
 
-/// The line that the import refuses the file with, without the file's name; "" when it is not refused.
+/// The message with which the import refuses the file, without the file's name; "" if it is accepted.
 std::string refusal(const std::vector<unsigned char>& bytes);
 std::string refusal(const GltfMaker& maker);

@@ -6,7 +6,7 @@ namespace {
 
 using Values = std::vector<std::uint8_t>;
 
-/// Textures, a sparse accessor, samplers, transforms, mirrored and plain nodes, lanes.
+/// Uses textures, a sparse accessor, samplers, transforms, mirrored and plain nodes, lanes.
 GltfMaker textured() {
   GltfMaker maker = one_square();
   const int color = maker.add_texture(encode_image("png", 4, 4, 3, Values(48, 90)));
@@ -34,7 +34,7 @@ GltfMaker textured() {
   return maker;
 }
 
-/// Quantised vertices, colours, a WebP image, emission and blending.
+/// Uses quantised vertices, colours, a WebP image, emission and blending.
 GltfMaker quantized() {
   GltfMaker maker = one_square();
   nlohmann::json& attributes = maker.primitive()["attributes"];

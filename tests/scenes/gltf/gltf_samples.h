@@ -2,5 +2,5 @@
 
 #include <vector>
 
-/// Small valid files, .glb and .gltf, that between them use most of what the importer reads.
+/// Small valid .glb and .gltf files that together use most of what the importer reads.
 std::vector<std::vector<unsigned char>> gltf_samples();

@@ -24,7 +24,7 @@ TEST_CASE("interleaved attributes with a stride") {
   CHECK(mesh.normals == std::vector<Vector3f>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
 }
 
-TEST_CASE("indices of 8, 16 and 32 bits, or none, make the same triangles") {
+TEST_CASE("indices of 8, 16 and 32 bits, or none, give the same triangles") {
   GltfMaker maker = one_square();
   const cps::Mesh expected = import_glb(maker).meshes.at(0);
   SECTION("8") {
@@ -38,11 +38,11 @@ TEST_CASE("indices of 8, 16 and 32 bits, or none, make the same triangles") {
   CHECK(import_glb(one_triangle()).meshes.at(0).triangles == std::vector<Eigen::Vector3i>{{0, 1, 2}});
 }
 
-TEST_CASE("quantised attributes: normalised ones by the specification's rule, others as they are") {
+TEST_CASE("quantised attributes: normalised ones are scaled as specified, others keep their values") {
   GltfMaker maker = one_square();
   maker.json["extensionsRequired"] = {"KHR_mesh_quantization"};
   json& attributes = maker.primitive()["attributes"];
-  // Four bytes a vertex: vertex data begins on 4-byte borders.
+  // Four bytes per vertex, as vertex data is 4-byte aligned.
   const std::vector<std::int8_t> normals = {0, 0, 127, 0, 0, 0, -128, 0, 0, 127, 0, 0, -127, 0, 0, 0};
   const int normal_view = maker.add_view(normals.data(), normals.size(), 4);
   attributes["NORMAL"] = maker.add_accessor(normal_view, 5120, "VEC3", 4, true);
@@ -89,7 +89,7 @@ TEST_CASE("colours of 8, 16 and 32 bits, with and without alpha, and normalised 
   CHECK(mesh.positions[2] == Vector3f(0, -1, -16384.0f / 32767));
 }
 
-TEST_CASE("sparse accessors replace some elements, of a buffer view or of zeros") {
+TEST_CASE("sparse accessors replace some elements of a buffer view or of zeros") {
   GltfMaker maker = one_triangle();
   const std::uint16_t indices[] = {1, 2};
   const float values[] = {5, 0, 0, 0, 6, 0};
@@ -129,7 +129,7 @@ TEST_CASE("sparse accessors replace some elements, of a buffer view or of zeros"
   }
 }
 
-TEST_CASE("offsets, counts, strides and references are checked before memory is touched") {
+TEST_CASE("offsets, counts, strides and references out of range are refused") {
   const auto [pointer, value, line] = GENERATE(table<std::string, json, std::string>({
       {"/accessors/0/count", 4,
        "meshes[0].primitives[0].POSITION (accessors[0]): 4 elements reach beyond the buffer view"},
@@ -164,7 +164,7 @@ TEST_CASE("offsets, counts, strides and references are checked before memory is 
   CHECK(refusal(maker) == line);
 }
 
-TEST_CASE("a few bytes may not ask for terabytes") {
+TEST_CASE("a small file that needs terabytes is refused") {
   GltfMaker maker = one_triangle();
   maker.json["accessors"][0].erase("bufferView");  // zeros
   maker.json["accessors"][0]["count"] = 2000000000;
@@ -175,7 +175,7 @@ TEST_CASE("a few bytes may not ask for terabytes") {
       "texels: split it or shrink its textures");
 }
 
-TEST_CASE("vertices that do not exist, counts that differ, positions that are not finite") {
+TEST_CASE("missing vertices, differing counts and positions that are not finite are refused") {
   GltfMaker maker = one_square();
   const std::string where = "meshes[0].primitives[0]";
   SECTION("indices") {

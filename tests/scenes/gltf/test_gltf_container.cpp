@@ -17,7 +17,7 @@ void put_u32(std::vector<unsigned char>& bytes, std::size_t offset, std::uint32_
 
 }  // namespace
 
-TEST_CASE("the same scene from .glb, a data URI and a file beside the .gltf") {
+TEST_CASE("a .glb, a data URI and an external file give the same scene") {
   const GltfMaker maker = one_square();
   const cps::Scene from_glb = import_glb(maker);
   const cps::Scene from_data_uri = import_bytes(bytes_of(maker.gltf()));
@@ -38,7 +38,7 @@ TEST_CASE("the same scene from .glb, a data URI and a file beside the .gltf") {
   CHECK(from_file.name == "square");
 }
 
-TEST_CASE("many buffers that name one large file, and JSON too long for the memory, are refused before") {
+TEST_CASE("many buffers of one large file, and JSON too long for the memory limit, are refused") {
   GltfMaker maker = one_triangle();
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "t.gltf";
@@ -55,7 +55,7 @@ TEST_CASE("many buffers that name one large file, and JSON too long for the memo
                     file.string() + ": JSON: is longer than 390 bytes");
 }
 
-TEST_CASE("files are looked for from the glTF file's folder, whatever their names begin with") {
+TEST_CASE("file names are relative to the glTF file's folder, absolute ones are refused") {
   const GltfMaker maker = one_triangle();
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path / "below");
@@ -72,7 +72,7 @@ TEST_CASE("files are looked for from the glTF file's folder, whatever their name
   CHECK_THROWS(import_with("/dev/zero"));
 }
 
-TEST_CASE("a file in the current folder works, one that is only there does not") {
+TEST_CASE("external files are not looked for in the current folder") {
   const GltfMaker maker = one_triangle();
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path / "below");
@@ -87,7 +87,7 @@ TEST_CASE("a file in the current folder works, one that is only there does not")
   std::filesystem::current_path(before);
 }
 
-TEST_CASE("names and credits") {
+TEST_CASE("a scene has the file's scene name and copyright") {
   GltfMaker maker = one_triangle();
   maker.json["asset"]["copyright"] = "CC0, nobody";
   maker.json["scenes"][0]["name"] = "Karlsruhe";
@@ -96,7 +96,7 @@ TEST_CASE("names and credits") {
   CHECK(scene.credits == "CC0, nobody");
 }
 
-TEST_CASE("files that are not there, not files, or not glTF") {
+TEST_CASE("missing files, special files and files that are not glTF are refused") {
   const TemporaryFolder folder;
   const std::string name = (folder.path / "scene.glb").string();
   CHECK_THROWS_WITH(cps::import_gltf(name), name + ": no such file");
@@ -114,7 +114,7 @@ TEST_CASE("files that are not there, not files, or not glTF") {
   CHECK(refusal(bytes_of(R"({"asset":{"version":"2.0"}})")) == "scene: holds no triangles to draw");
 }
 
-TEST_CASE("a .glb whose lengths do not agree") {
+TEST_CASE("a .glb with inconsistent lengths is refused") {
   std::vector<unsigned char> glb = one_triangle().glb();
   const std::size_t size = glb.size();
   SECTION("cut off") {
@@ -144,7 +144,7 @@ TEST_CASE("a .glb whose lengths do not agree") {
   }
 }
 
-TEST_CASE("versions and extensions that are not read are named") {
+TEST_CASE("unsupported versions and required extensions are refused by name") {
   GltfMaker maker = one_triangle();
   SECTION("glTF 1") {
     maker.json["asset"]["version"] = "1.0";
@@ -167,7 +167,7 @@ TEST_CASE("versions and extensions that are not read are named") {
   }
 }
 
-TEST_CASE("numbers of the wrong kind are named where they stand") {
+TEST_CASE("numbers of the wrong kind are refused by their JSON path") {
   GltfMaker maker = one_triangle();
   const auto [pointer, value, line] = GENERATE(table<std::string, nlohmann::json, std::string>({
       {"/accessors/0/byteOffset", -4,

@@ -15,14 +15,13 @@ nlohmann::json& draco_extension(GltfMaker& maker) {
 
 }  // namespace
 
-TEST_CASE("a Draco-compressed primitive comes out as the mesh that went in") {
+TEST_CASE("a Draco-compressed primitive decodes to the original mesh") {
   const GltfMaker maker = draco_grid();
   const std::string text = maker.gltf();
   const cps::Mesh mesh = GENERATE(true, false) ? import_glb(maker).meshes.at(0)
                                                : import_bytes({text.begin(), text.end()}).meshes.at(0);
   CHECK(mesh.triangles.size() == 2 * (grid_columns - 1) * (grid_columns - 1));
-  // Positions belong to their texture coordinates; each square of the grid is covered by two triangles that
-  // face +z.
+  // Each position has its texture coordinates, and each square of the grid has two triangles that face +z.
   std::multiset<std::pair<int, int>> squares;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     Vector3f middle = Vector3f::Zero();
@@ -39,7 +38,7 @@ TEST_CASE("a Draco-compressed primitive comes out as the mesh that went in") {
     for (int y = 0; y + 1 < grid_columns; ++y) CHECK(squares.count({x, y}) == 2);
 }
 
-TEST_CASE("Draco data that cannot be decoded is named") {
+TEST_CASE("Draco data that cannot be decoded is refused by name") {
   GltfMaker maker = draco_grid();
   const std::string where = "meshes[0].primitives[0]";
   SECTION("cut off") {

@@ -33,7 +33,7 @@ TEST_CASE("EXT_mesh_gpu_instancing repeats a mesh in its node's frame") {
   CHECK(refusal(maker) == where + ": its attributes differ in count");
 }
 
-TEST_CASE("a skin is drawn in rest pose: weights blend the joints' transforms") {
+TEST_CASE("a skin takes the rest pose: weights blend the joints' transforms") {
   const cps::Scene scene = import_glb(skinned_triangle());
   REQUIRE(scene.instances.size() == 1);
   CHECK(scene.instances[0].world_from_mesh.isApprox(Eigen::Affine3f::Identity()));
@@ -44,7 +44,7 @@ TEST_CASE("a skin is drawn in rest pose: weights blend the joints' transforms") 
   CHECK(positions[2].isApprox(Vector3f(2.5f, 0.5f, 0), 1e-5f));
 }
 
-TEST_CASE("joints that mirror turn the triangles over, so that fronts stay in front") {
+TEST_CASE("front faces stay front faces under joints that mirror") {
   GltfMaker maker = skinned_triangle();
   maker.json["nodes"][1] = {{"scale", {-1, 1, 1}}};
   maker.json["nodes"][2] = {{"scale", {-1, 1, 1}}};
@@ -57,7 +57,7 @@ TEST_CASE("joints that mirror turn the triangles over, so that fronts stay in fr
   CHECK(mesh.normals[0].isApprox(Vector3f(0, 0, 1)));
 }
 
-TEST_CASE("skins that do not fit are named") {
+TEST_CASE("inconsistent skins are refused by name") {
   GltfMaker maker = skinned_triangle();
   SECTION("a joint outside the scene") {
     maker.json["scenes"][0]["nodes"] = {0, 1};

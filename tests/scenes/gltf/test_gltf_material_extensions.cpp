@@ -16,7 +16,7 @@ GltfMaker square_with(const json& extensions) {
 
 }  // namespace
 
-TEST_CASE("glass, clear coats, specular colours, indices of refraction, unlit colours") {
+TEST_CASE("material extensions for glass, clear coat, specular, index of refraction and unlit") {
   std::vector<std::string> warnings;
   GltfMaker maker = square_with(
       {{"KHR_materials_ior", {{"ior", 1.33}}},
@@ -55,10 +55,10 @@ TEST_CASE("textures of material extensions, as colour or data, with their transf
   CHECK(m.clearcoat_normal_texture.texture == m.clearcoat_texture.texture);
   CHECK(m.clearcoat_normal_scale == 0.3f);
   CHECK((m.transmission_texture.uv_transform * Eigen::Vector2f(0, 0)).x() == 0.5f);
-  CHECK(scene.meshes.at(0).tangents.size() == 4);  // the coat's normal map asks for them
+  CHECK(scene.meshes.at(0).tangents.size() == 4);  // for the coat's normal map
 }
 
-TEST_CASE("other material extensions are left out with one warning each") {
+TEST_CASE("unsupported material extensions are ignored with one warning each") {
   std::vector<std::string> warnings;
   GltfMaker maker =
       square_with({{"KHR_materials_sheen", json::object()}, {"KHR_materials_volume", json::object()}});
@@ -68,7 +68,7 @@ TEST_CASE("other material extensions are left out with one warning each") {
                                              "KHR_materials_volume is not supported and left out"});
 }
 
-TEST_CASE("material extensions that mean nothing are named") {
+TEST_CASE("invalid material extensions are refused by name") {
   const auto refused = [](const char* name, const json& value) {
     return refusal(square_with({{name, value}}));
   };
@@ -82,7 +82,7 @@ TEST_CASE("material extensions that mean nothing are named") {
         "materials[0].KHR_materials_specular.specularTexture: names no texture");
 }
 
-TEST_CASE("made diffuse, a material keeps base colour, alpha and emission alone") {
+TEST_CASE("a diffuse material keeps only base colour, alpha and emission") {
   cps::Scene scene = import_glb(square_with({{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
                                              {"KHR_materials_transmission", {{"transmissionFactor", 1}}}}));
   scene.materials[0].base_color = {0.1f, 0.2f, 0.3f, 0.4f};

@@ -6,7 +6,7 @@ namespace cps::city {
 namespace {
 
 constexpr double half_m = boundary_module_m / 2;
-constexpr double foot_m = -0.15;  // in the ground at both ends on any slope
+constexpr double foot_m = -0.15;  // deep enough to stay in the ground on any slope
 
 }  // namespace
 

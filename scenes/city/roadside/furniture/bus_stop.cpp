@@ -5,7 +5,7 @@
 namespace cps::city {
 namespace {
 
-/// A pane without thickness between two points of the plan.
+/// Adds a pane without thickness between two points of the plan.
 void add_pane(Surface& s, const Vec2& from, const Vec2& to, double bottom, double top) {
   add_quad(s, {lift(from, bottom)}, {lift(to, bottom)}, {lift(to, top)}, {lift(from, top)});
 }
@@ -25,7 +25,7 @@ Mesh bus_shelter(const Materials& m) {
   add_block(mesh.surfaces[m.car_trim], {back - 0.1, roof, -l - 0.05}, {front + 0.05, roof + 0.1, l + 0.05});
   add_pane(mesh.surfaces[m.clear_glass], {back, l - 0.03}, {back, -l + 0.03}, 0.2, 2.16);
   add_pane(mesh.surfaces[m.clear_glass], {front - 0.4, l}, {back, l}, 0.2, 2.16);
-  // A poster in a case closes the end that traffic comes from last.
+  // A poster case closes the end at +z.
   add_block(mesh.surfaces[m.car_trim], {back + 0.02, 0.25, l - 0.07}, {front - 0.05, 2.15, l + 0.07});
   for (const double side : {-0.072, 0.07})
     add_block(mesh.surfaces[m.shop_sign[side > 0 ? 2 : 4]], {back + 0.1, 0.4, l + side},

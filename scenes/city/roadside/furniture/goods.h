@@ -4,9 +4,9 @@
 
 namespace cps::city {
 
-/// What stands in the yards of works, foot on the ground, long side along x.
-Mesh container(const Materials& materials, MaterialId paint);  ///< ISO 668, twenty feet
-Mesh container_stack(const Materials& materials);              ///< two of them
+/// Goods in factory yards, foot on the ground, long side along x.
+Mesh container(const Materials& materials, MaterialId paint);  ///< twenty-foot container (ISO 668)
+Mesh container_stack(const Materials& materials);              ///< two containers
 Mesh pallets(const Materials& materials);
 Mesh silo(const Materials& materials);
 

@@ -4,8 +4,9 @@
 
 namespace cps::city {
 
-/// A flat polygon facing the traffic (−z in glTF's frame), `forward` metres before its pole, its middle at
-/// height `height`, with a back of its own; `turn` is the first corner's angle from the horizontal.
+/// Adds a sign plate, a regular polygon with front and back that faces the traffic (−z in glTF's frame),
+/// `forward` metres before its pole, centred at height `height`. `turn` is the angle of the first corner,
+/// radians.
 void add_plate(Mesh& mesh, MaterialId front, MaterialId back, int corners, double radius, double height,
                double turn, double forward);
 

@@ -8,7 +8,7 @@
 namespace cps::city {
 namespace {
 
-/// Where an arm leads, from its junction.
+/// The direction of an arm, away from its junction (unit).
 Vec2 direction_of(const StreetNetwork& network, const Side& arm) {
   const Polyline line = network.line(arm, 0);
   return (line[1] - line[0]).normalized();

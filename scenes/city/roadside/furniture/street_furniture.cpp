@@ -111,7 +111,7 @@ Mesh traffic_light(const Materials& m, bool green) {
   for (int i = 0; i < 3; ++i) {
     const double z = 3.08 - 0.28 * i;
     add_plate(mesh, lights[i], m.signal_off, 20, 0.1, z, 0, 0.265);
-    // A visor over each light.
+    // A visor above each light.
     add_box(mesh.surfaces[m.signal_off], {0, 0.33}, {1, 0}, 0.11, 0.07, z + 0.10, z + 0.115, 1, true);
   }
   return mesh;

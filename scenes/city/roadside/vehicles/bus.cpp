@@ -10,12 +10,12 @@ namespace {
 
 constexpr double half_length_m = bus_length_m / 2, half_width_m = bus_width_m / 2;
 constexpr double front_axle_m = 3.3, rear_axle_m = -2.6, wheel_radius_m = 0.48, arch_m = 0.56;
-/// Heights of the body's bands: skirt, windows, frieze, the roof's edge and its middle.
+/// Heights of the body's bands: skirt, belt line, upper edge of the windows, edge and middle of the roof.
 constexpr double skirt_m = 0.3, belt_m = 1.08, lintel_m = 2.48, eaves_m = 2.86, roof_m = 3.0;
 constexpr double door_half_m = 0.62;
 constexpr double doors_m[] = {5.0, 0.4, -4.4};
 
-/// The body narrows in quarter circles at its ends.
+/// Half the body's width at `x`; its corners are quarter circles.
 double half_width_at(double x) {
   const double radius = x > 0 ? 0.4 : 0.2, into = std::max(0.0, std::abs(x) - (half_length_m - radius));
   return half_width_m - radius + std::sqrt(std::max(0.0, radius * radius - into * into));
@@ -34,7 +34,7 @@ bool is_door(double x) {
                      [&](double door) { return std::abs(x - door) < door_half_m; });
 }
 
-/// Stations along the body: where it bends, and both edges of every window post.
+/// The x of the body's cross-sections: where it bends, and at both edges of window posts and doors.
 std::vector<double> stations() {
   std::vector<double> xs;
   for (int i = 0; i <= 5; ++i) {
@@ -88,7 +88,7 @@ void add_sides(Mesh& mesh, const Materials& m, MaterialId paint) {
   }
 }
 
-/// The flat faces between the rounded corners, and the roof's slope down to them.
+/// Adds the flat front and rear, and the roof's slopes above them.
 void add_ends(Mesh& mesh, const Materials& m, MaterialId paint) {
   for (const bool front : {true, false}) {
     const double x = front ? half_length_m : -half_length_m, w = half_width_at(x);
@@ -105,7 +105,7 @@ void add_ends(Mesh& mesh, const Materials& m, MaterialId paint) {
 
 void add_fittings(Mesh& mesh, const Materials& m) {
   constexpr double front = half_length_m, w = half_width_m;
-  // What is seen below the floor and in the wheel arches.
+  // Fills the space below the floor and in the wheel arches.
   add_block(mesh.surfaces[m.car_trim], {-front + 0.3, 0.24, -w + 0.42}, {front - 0.45, belt_m, w - 0.42});
   add_block(mesh.surfaces[m.car_trim], {front - 0.02, skirt_m, -0.8}, {front + 0.02, 0.42, 0.8});
   add_block(mesh.surfaces[m.number_plate], {front, 0.46, -0.26}, {front + 0.015, 0.57, 0.26});

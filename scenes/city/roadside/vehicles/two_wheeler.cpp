@@ -7,7 +7,8 @@
 namespace cps::city {
 namespace {
 
-/// Where a rider's hips, hands and feet are; the right ones, mirrored for the left except for the feet.
+/// A rider's hip, shoulder, hand and feet. Hip, shoulder and hand are the right ones and mirrored for the
+/// left.
 struct Posture {
   Vec3 hip, shoulder, hand, right_foot, left_foot;
 };
@@ -16,7 +17,7 @@ Vec3 mirrored(const Vec3& p) {
   return {p.x(), p.y(), -p.z()};
 }
 
-/// A knee or an elbow: the middle of a limb, moved towards where it bends.
+/// A knee or an elbow: the middle of a limb, displaced by `bend`.
 Vec3 joint(const Vec3& from, const Vec3& to, const Vec3& bend) {
   return (from + to) / 2 + bend;
 }

@@ -5,13 +5,13 @@
 
 namespace cps::city {
 
-/// Half of what a bicycle or motorcycle needs, with its rider.
+/// Half sizes of a bicycle or motorcycle with its rider.
 inline constexpr double bicycle_half_length_m = 0.9, bicycle_half_width_m = 0.33;
 inline constexpr double motorcycle_half_length_m = 1.1, motorcycle_half_width_m = 0.42;
 
-/// A bicycle around the origin, tyres on the ground, looking along +x.
+/// A bicycle centred at the origin, tyres on the ground, facing +x.
 Mesh bicycle(const Materials& materials, Stream stream);
-/// The same with somebody riding it.
+/// The bicycle with its rider.
 Mesh cyclist(const Materials& materials, Stream stream);
 /// A motorcycle with its rider.
 Mesh motorcyclist(const Materials& materials, Stream stream);

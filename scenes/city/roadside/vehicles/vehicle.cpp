@@ -12,7 +12,7 @@ namespace {
 
 constexpr double sill_m = 0.2;
 
-/// A body's cross-sections: `contour_points` from the sill up to the middle of the roof, for one side.
+/// The points of a body's cross-section, from the sill up to the middle of the roof, for one side.
 constexpr int contour_points = 9;
 enum Contour { sill, flank_low, flank, shoulder, glass_foot, glass_top, roof_edge, screen_edge, middle };
 
@@ -21,7 +21,7 @@ double smooth(double x) {
   return x * x * (3 - 2 * x);
 }
 
-/// Height of the body's upper line: nose, bonnet, windscreen, roof, rear window, boot.
+/// Height of the body's outline at x: nose, bonnet, windscreen, roof, rear window, boot.
 double top_line(const VehicleClass& c, double x) {
   const double front = c.length_m / 2, rear = -c.length_m / 2;
   if (x > c.windscreen_foot_m) {
@@ -42,7 +42,7 @@ double top_line(const VehicleClass& c, double x) {
   return c.boot_height_m - 0.10 * smooth((c.rear_foot_m - x) / std::max(0.1, c.rear_foot_m - rear));
 }
 
-/// Lower edge of the flank: the sill, cut out in circles over the wheels, rising towards the bumpers' ends.
+/// Height of the flank's lower edge at x: the sill, with circular wheel arches, rising towards the bumpers.
 double bottom_line(const VehicleClass& c, double x) {
   double z = sill_m + 0.06 * std::pow(std::abs(x) / (c.length_m / 2), 4.0);
   const double arch = c.wheel_radius_m + 0.055;
@@ -74,7 +74,7 @@ std::array<Vec3, contour_points> section(const VehicleClass& c, double x) {
           Vec3(x, top, 0)};
 }
 
-/// Stations along the body, close together where the outline bends.
+/// The x of the body's cross-sections, close together where the outline bends.
 std::vector<double> stations(const VehicleClass& c) {
   std::vector<double> xs;
   const double half = c.length_m / 2;
@@ -138,7 +138,7 @@ void add_body(Mesh& mesh, const VehicleClass& c, const Materials& m, MaterialId 
                                  {first, first + 2, first + 1, first, first + 3, first + 2});
       }
     }
-  for (const bool front : {true, false}) {  // the flat ends behind bumper and lights
+  for (const bool front : {true, false}) {  // flat faces at both ends, behind bumpers and lights
     const auto& end = front ? grid.back() : grid.front();
     std::vector<Vertex> face;
     for (int j = 0; j < contour_points; ++j) face.push_back({end[j]});
@@ -151,7 +151,7 @@ void add_body(Mesh& mesh, const VehicleClass& c, const Materials& m, MaterialId 
 void add_fittings(Mesh& mesh, const VehicleClass& c, const Materials& m, MaterialId paint) {
   const double half = c.length_m / 2, w = c.width_m / 2;
   add_block(mesh.surfaces[m.car_trim], {-half + 0.12, 0.19, -w + 0.25},
-            {half - 0.12, 0.62, w - 0.25});  // wheel wells end here
+            {half - 0.12, 0.62, w - 0.25});  // backs the wheel wells
   add_block(mesh.surfaces[m.car_trim], {half - 0.05, 0.27, -0.62 * w},
             {half + 0.015, 0.40, 0.62 * w});  // air intake
   add_block(mesh.surfaces[m.car_trim], {half - 0.05, 0.52, -0.34 * w},

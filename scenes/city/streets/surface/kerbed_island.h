@@ -4,8 +4,8 @@
 
 namespace cps::city {
 
-/// An island on the carriageway: a kerb around a convex or nearly convex outline (anticlockwise), filled with
-/// `cover`.
+/// Adds an island on the carriageway: a kerb along a convex or nearly convex outline (anticlockwise), filled
+/// with `cover`.
 void add_kerbed_island(Mesh& mesh, const Polygon& outline, MaterialId cover, double tile_m,
                        const Materials& materials);
 

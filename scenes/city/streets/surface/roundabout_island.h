@@ -5,7 +5,7 @@
 
 namespace cps::city {
 
-/// The island: a kerb, a paved ring, grass that rises to the middle.
+/// The island of a roundabout: a kerb, a paved ring, and grass that rises towards the middle.
 Mesh island(const Roundabout& roundabout, const Vec2& middle, const Materials& materials);
 
 }  // namespace cps::city

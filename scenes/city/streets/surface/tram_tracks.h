@@ -7,16 +7,16 @@ namespace cps::city {
 
 inline constexpr double tram_gauge_m = 1.435;
 
-/// The middle of one track, in driving direction, from end to end of its street.
+/// The middle line of a tram track, in driving direction, over its whole street.
 struct TramTrack {
   int street = 0;
   Polyline centre;
 };
 
-/// Two for every street with tram tracks, one where it is a one-way street.
+/// The tracks of all streets that have them: one per direction of traffic.
 std::vector<TramTrack> tram_tracks(const StreetNetwork& network);
 
-/// Rails set in the road, with their grooves.
+/// The rails of a track, set in the road, with their grooves.
 Mesh tram_rails(const TramTrack& track, const Materials& materials);
 
 }  // namespace cps::city
