@@ -17,12 +17,12 @@ struct Pinhole {
 /// view.
 Pinhole pinhole_from_hfov(int width, int height, double hfov_rad);
 
-/// The label's H-FOV, 2·atan(W / 2fx), radians.
+/// The H-FOV as labels have it, 2·atan(W / 2fx), radians.
 double hfov_rad(const Pinhole& camera);
 
 /// The same camera with every pixel split into `oversampling`² and `pad` of those added on each side.
-/// cx maps to oversampling·(cx + .5) − .5 + pad. Where oversampling times the size is not whole, it is
-/// rounded up, and what that adds is shared by both sides.
+/// cx maps to oversampling·(cx + .5) − .5 + pad. If oversampling times the size is not a whole number, the
+/// size is rounded up and the excess is split evenly between both sides.
 Pinhole oversampled(const Pinhole& camera, double oversampling, int pad = 0);
 
 /// Pixel → point on the plane z = 1, and back.

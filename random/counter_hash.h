@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string_view>
 
-/// Every number this project draws is a pure function of (seed, stream name, index). There is no
-/// generator with a state: any thread may ask for any index in any order and gets the same answer.
+/// Every random number in this project is a pure function of (seed, stream name, index). No generator has a
+/// state: any thread may ask for any index in any order and gets the same number.
 namespace cps {
 
 /// 64-bit finaliser with full avalanche (Stafford 2011, variant 13: the one SplitMix64 uses).
@@ -21,14 +21,14 @@ struct Stream {
   std::uint64_t key;
 };
 
-/// The stream `name` under `seed`. 0 is a seed like any other.
+/// The stream `name` of `seed`. Every seed is valid, 0 included.
 constexpr Stream make_stream(std::uint64_t seed, std::string_view name) {
   std::uint64_t hash = mix64(seed + 0x9e3779b97f4a7c15ull);
   for (char c : name) hash = mix64(hash ^ static_cast<unsigned char>(c)) + 0x9e3779b97f4a7c15ull;
   return {mix64(hash)};
 }
 
-/// A stream of its own for the `index`-th thing drawn from `parent` (a lens, a building, a view).
+/// The stream of the `index`-th thing drawn from `parent` (a lens, a building, a view).
 constexpr Stream substream(Stream parent, std::uint64_t index) {
   return {mix64(mix64(parent.key + 0xd1b54a32d192ed03ull * (index + 1)) ^ parent.key)};
 }
@@ -54,7 +54,7 @@ constexpr std::uint64_t random_below(Stream stream, std::uint64_t index, std::ui
                                     64);
 }
 
-/// Standard normal (Box & Muller 1958). Uses two numbers of a stream of its own.
+/// Standard normal (Box & Muller 1958), from two numbers of substream(stream, index).
 inline double random_normal(Stream stream, std::uint64_t index) {
   const Stream pair = substream(stream, index);
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random_uniform(pair, 0)));

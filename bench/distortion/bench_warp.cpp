@@ -38,7 +38,7 @@ void report_per_pixel(benchmark::State& state, const Scene& scene) {
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// One thread, map included.
+/// Warp on one thread, inverse map included.
 void warp_footprints(benchmark::State& state) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Scene scene(int(state.range(0)));
@@ -48,7 +48,7 @@ void warp_footprints(benchmark::State& state) {
 }
 BENCHMARK(warp_footprints)->Arg(1)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond);
 
-/// The same with noise evened out: what `cps generate` does.
+/// The same with render noise made uniform, as `cps generate` does.
 void warp_noisy_master(benchmark::State& state) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Scene scene(3);
@@ -58,9 +58,9 @@ void warp_noisy_master(benchmark::State& state) {
 }
 BENCHMARK(warp_noisy_master)->Unit(benchmark::kMillisecond);
 
-/// OpenCV's best honest route to the same picture, one thread: bicubic remap onto a 2× grid of the output,
-/// then INTER_AREA. `with_map` adds the time to make the map (with this project's inverse; OpenCV has none
-/// that converges).
+/// The best way to the same picture with OpenCV, one thread: bicubic remap onto a 2× grid of the output, then
+/// INTER_AREA. `with_map` adds the time to make the map, with this project's inverse, since OpenCV's does not
+/// always converge.
 void remap_cubic_area(benchmark::State& state, bool with_map) {
   cv::setNumThreads(1);
   Scene scene(int(state.range(0)));

@@ -3,9 +3,8 @@
 #include <array>
 #include <cstddef>
 
-/// Polynomials on an interval in Bernstein form (Bernstein 1912; Farouki 2012): on [0, 1] the polynomial is a
-/// convex combination of its Bernstein coefficients, so whatever is convex and holds for them holds for all
-/// its values.
+/// Polynomials on an interval in Bernstein form (Bernstein 1912; Farouki 2012). On [0, 1] every value of a
+/// polynomial is a convex combination of its Bernstein coefficients, so their minimum and maximum bound it.
 namespace cps {
 
 /// Homogeneous polynomial in (1−t, t): coefficient i belongs to (1−t)^(n−i) t^i, binomial included, so that
@@ -31,7 +30,7 @@ constexpr std::array<double, n> sum(const std::array<double, n>& a, double scale
   return total;
 }
 
-/// ((1−t) + t)^n = 1: multiplying with it raises the degree by n.
+/// ((1−t) + t)^n = 1: multiplying by it raises the degree by n and keeps the polynomial.
 template <int n>
 inline constexpr Form<n> binomials = binomials<n - 1>* Form<1>{1, 1};
 template <>

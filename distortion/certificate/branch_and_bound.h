@@ -13,18 +13,18 @@ struct EnclosedMinimum {
   double argument = 0;
 };
 
-/// When to stop halving an interval.
+/// When a branch-and-bound search may stop.
 struct MinimumSearch {
   double tolerance = 1e-5;  ///< between `proved` and `attained`; infinite: only the threshold matters
-  /// The search does not stop while the minimum could lie on either side of this value; and with an infinite
-  /// tolerance it stops at the first attained value below it.
+  /// The search goes on while the minimum could lie on either side of this value. With an infinite tolerance
+  /// it stops at the first attained value below it.
   double threshold = -std::numeric_limits<double>::infinity();
 };
 
 /// Smallest value on [low, high] by branch and bound. `lower_bound(a, b, enough)` bounds the function from
 /// below on [a, b]; it may return the first bound it finds that is at least `enough`. `value(x)` evaluates
-/// the function. Depth and number of halvings are limited, so that a bound that does not converge ends the
-/// search with a looser `proved`, never with a wrong one.
+/// the function. Depth and number of halvings are limited: if the bounds do not converge by then, `proved` is
+/// looser, but still a bound.
 template <typename LowerBound, typename Value>
 EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& search, LowerBound lower_bound,
                                Value value) {
@@ -32,7 +32,7 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
     double low, high;
     int depth;
   };
-  constexpr int deepest = 48, most_cells = 1024;
+  constexpr int max_depth = 48, max_cells = 1024;
   EnclosedMinimum minimum;
   const auto try_value = [&](double x) {
     if (const double v = value(x); v < minimum.attained) minimum.attained = v, minimum.argument = x;
@@ -44,7 +44,7 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
   const bool verdict_only = search.tolerance == std::numeric_limits<double>::infinity();
 
   try_value(high);
-  std::array<Cell, deepest + 2> open;
+  std::array<Cell, max_depth + 2> open;
   int count = 0, visited = 0;
   open[count++] = {low, high, 0};
   while (count > 0) {
@@ -54,7 +54,7 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
     }
     const Cell cell = open[--count];
     const double bound = lower_bound(cell.low, cell.high, enough());
-    if (bound >= enough() || cell.depth == deepest || ++visited > most_cells) {
+    if (bound >= enough() || cell.depth == max_depth || ++visited > max_cells) {
       minimum.proved = std::min(minimum.proved, bound);
       continue;
     }

@@ -35,15 +35,16 @@ struct RadialCubic {
   }
 };
 
-/// A lens on a rectangle, seen ring by ring about the principal point. Lengths are scaled so that the
+/// A lens on a rectangle, in polar coordinates about the principal point. Lengths are scaled so that the
 /// rectangle's farthest corner lies at radius 1. At x = r·e, with q = (p2, p1), a = |q| r and c the cosine of
-/// the angle between q and x, the Jacobian in the radial/tangential frame is [[g + 6ac, 2a√(1−c²)], [·, R +
-/// 2ac]]: everything about a ring depends on the direction through c alone.
+/// the angle between q and x, the Jacobian in the radial/tangential frame is
+/// [[g + 6ac, 2a√(1−c²)], [2a√(1−c²), R + 2ac]]: on a ring of radius r it depends on the direction only
+/// through c.
 struct PolarLens {
-  /// One quarter of the rectangle, reflected into x, y ≥ 0.
+  /// The part of the rectangle in one quadrant, reflected into x, y ≥ 0.
   struct Quadrant {
     double x = 0, y = 0;         ///< far corner
-    double corner_radius = 0;    ///< 0: the rectangle has no part here
+    double corner_radius = 0;    ///< 0: the rectangle has no part in this quadrant
     Eigen::Vector2d pull{1, 0};  ///< unit vector along the reflected q
   };
 
@@ -58,8 +59,8 @@ struct PolarLens {
 /// The rectangle is widened to contain the principal point (0, 0) where it does not.
 PolarLens polar_lens(const Distortion& lens, const Eigen::AlignedBox2d& rectangle);
 
-/// The cosines that occur in a quadrant at radius r. Beyond the quadrant's sides the arc shrinks as r grows,
-/// so the range at r holds for every larger radius as well.
+/// The range of c (see PolarLens) in a quadrant of the rectangle at radius r. Where the ring leaves the
+/// rectangle its arc shrinks as r grows, so the range at r contains the ranges at all larger radii.
 inline Interval cosines(const PolarLens::Quadrant& quadrant, double r) {
   Eigen::Vector2d first(1, 0), last(0, 1);  // of the arc, counter-clockwise
   if (r > quadrant.x) {
@@ -81,8 +82,8 @@ inline Interval cosines(const PolarLens::Quadrant& quadrant, double r) {
   return {against ? -1.0 : std::min(from_first, from_last), along ? 1.0 : std::max(from_first, from_last)};
 }
 
-/// Smallest value over the rectangle's part of the ring at radius r, where `by_cosines` gives the smallest
-/// one over a range of cosines.
+/// Smallest value over the part of the ring at radius r that lies in the rectangle. `by_cosines` returns the
+/// smallest value over a range of cosines.
 template <typename ByCosines>
 double smallest_on_ring(const PolarLens& lens, double r, ByCosines by_cosines) {
   constexpr double corner_rounding = 1 - 1e-12;

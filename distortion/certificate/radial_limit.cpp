@@ -25,15 +25,15 @@ double largest_root(double a, double b, double c) {
 }  // namespace
 
 double radial_limit(const Distortion& lens) {
-  // With u = 1/s the polynomial is u³ + 3 k1 u² + 5 k2 u + 7 k3: its largest positive root is the smallest s,
-  // and no leading coefficient can vanish.
+  // With u = 1/s the polynomial is u³ + 3 k1 u² + 5 k2 u + 7 k3. Its largest positive root gives the smallest
+  // s, and its leading coefficient is never 0.
   const double a = 3 * lens.k1, b = 5 * lens.k2, c = 7 * lens.k3;
   double u = largest_root(a, b, c);
   for (int step = 0; step < 2; ++step) {
     const double slope = b + u * (2 * a + 3 * u), value = c + u * (b + u * (a + u));
     if (std::abs(value) < std::abs(slope) * std::abs(u)) u -= value / slope;
   }
-  // A double root at 0 (k2 = k3 = 0) comes out as the square root of the rounding error.
+  // Rounding turns a double root at 0 (k2 = k3 = 0) into a root as large as the square root of the error.
   constexpr double rounding = 1e-7;
   return u > rounding * (std::abs(a) + std::sqrt(std::abs(b)) + std::cbrt(std::abs(c)))
              ? 1 / std::sqrt(u)

@@ -9,8 +9,7 @@
 namespace cps {
 namespace {
 
-/// Encloses a polynomial on [0, 1] by its Bernstein coefficients, widened by what rounding can have moved
-/// them.
+/// Encloses a polynomial on [0, 1] by its Bernstein coefficients, widened by their rounding error.
 Interval range(const Form<7>& form) {
   double low = form[0], high = form[0], size = 0;
   for (int i = 0; i < 8; ++i) {
@@ -22,8 +21,8 @@ Interval range(const Form<7>& form) {
   return {low - 1e-14 * size, high + 1e-14 * size};
 }
 
-/// The lens along a segment parallel to the u axis: u from u0 to u1, v fixed; (pu, pv) is the lens' (p2, p1)
-/// in these axes.
+/// The image of a segment parallel to the u axis, u from u0 to u1 with v fixed, as two polynomials. (u, v) is
+/// (x, y) or (y, x), and (pu, pv) is (p2, p1) or (p1, p2) accordingly.
 struct DistortedSegment {
   Form<7> u, v;
 };

@@ -8,8 +8,8 @@ namespace cps {
 namespace {
 
 /// Exact minimiser of g·p + ½ pᵀHp over low ≤ p ≤ high, H positive definite.
-Eigen::Vector2d smallest_in_box(const Eigen::Matrix2d& H, const Eigen::Vector2d& g,
-                                const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+Eigen::Vector2d minimiser_in_box(const Eigen::Matrix2d& H, const Eigen::Vector2d& g,
+                                 const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
   const double det = H(0, 0) * H(1, 1) - H(0, 1) * H(0, 1);
   const Eigen::Vector2d newton(-(H(1, 1) * g.x() - H(0, 1) * g.y()) / det,
                                -(H(0, 0) * g.y() - H(0, 1) * g.x()) / det);
@@ -17,20 +17,20 @@ Eigen::Vector2d smallest_in_box(const Eigen::Matrix2d& H, const Eigen::Vector2d&
 
   // Not inside: the minimiser lies on one of the four sides.
   Eigen::Vector2d best = Eigen::Vector2d::Zero();
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 2; ++axis)
     for (const double fixed : {low[axis], high[axis]}) {
       const int free = 1 - axis;
       Eigen::Vector2d p;
       p[axis] = fixed;
       p[free] = std::min(std::max(-(g[free] + H(0, 1) * fixed) / H(free, free), low[free]), high[free]);
-      if (const double model = p.dot(g + 0.5 * (H * p)); model < least) least = model, best = p;
+      if (const double model = p.dot(g + 0.5 * (H * p)); model < smallest) smallest = model, best = p;
     }
   return best;
 }
 
-/// Step length along p that takes the slope (D(x + t p) − target)·p, which grows with t, from `slope0` < 0 to
-/// nearly zero.
+/// Step length t along p at which the slope (D(x + t p) − target)·p, which grows with t from `slope0` < 0 at
+/// t = 0, is nearly zero; at most 1.
 double line_search(const Distortion& lens, const Eigen::Vector2d& x, const Eigen::Vector2d& p,
                    const Eigen::Vector2d& target, double slope0) {
   double low = 0, high = 1, slope_low = slope0;
@@ -59,7 +59,7 @@ std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::Al
   Eigen::Vector2d gradient = distort(lens, x) - distorted;
   for (int iteration = 0; iteration < 100 && gradient.cwiseAbs().maxCoeff() > epsilon * size; ++iteration) {
     const Eigen::Vector2d step =
-        smallest_in_box(distortion_jacobian(lens, x), gradient, box.min() - x, box.max() - x);
+        minimiser_in_box(distortion_jacobian(lens, x), gradient, box.min() - x, box.max() - x);
     const double slope = gradient.dot(step);
     if (!(slope < 0) || step.cwiseAbs().maxCoeff() <= epsilon * x.cwiseAbs().maxCoeff()) break;
     x += line_search(lens, x, step, distorted, slope) * step;
@@ -73,10 +73,10 @@ std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::Al
 std::optional<Eigen::Vector2d> undistort_near(const Distortion& lens, const Eigen::AlignedBox2d& box,
                                               const Eigen::Vector2d& distorted,
                                               const Eigen::Vector2d& guess) {
-  constexpr int most_steps = 4;
+  constexpr int max_steps = 4;
   const double enough = 1e-14 * (1 + distorted.cwiseAbs().maxCoeff());
   Eigen::Vector2d x = guess;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Eigen::Vector2d error = distort(lens, x) - distorted;
     if (error.cwiseAbs().maxCoeff() <= enough && box.contains(x)) return x;
     x -= distortion_jacobian(lens, x).inverse() * error;

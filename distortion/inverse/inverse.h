@@ -7,19 +7,19 @@
 
 namespace cps {
 
-/// The ideal point of `box` that the lens sends to `distorted`; empty: proved to lie outside D(box). The lens
-/// is certified on the box, which makes Φ(x) − distorted·x strictly convex there: its minimiser over the box,
-/// found by Newton steps that minimise the quadratic model over the box exactly, is the answer where the
-/// gradient vanishes, and where it does not, there is none. A wrong root does not exist. Not checked: on a
-/// lens that folds inside the box the answer, if any, is one of several.
+/// The ideal point in `box` that the lens sends to `distorted`; empty if that point provably lies outside
+/// D(box). The lens must be certified on the box (not checked; if it folds there, the answer is one of
+/// several). Then Φ(x) − distorted·x, with Φ from brown_conrady.h, is strictly convex on the box. Newton
+/// steps that minimise its quadratic model over the box exactly find its only minimiser: the answer if the
+/// gradient vanishes there, and a proof that there is no answer if it does not.
 ///
-/// Residual |D(x) − distorted| at rounding level; a target outside by less than 1e-12 of its size counts as
-/// inside.
+/// The residual |D(x) − distorted| is at rounding level. A target outside D(box) by less than 1e-12 of its
+/// size counts as inside.
 std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::AlignedBox2d& box,
                                          const Eigen::Vector2d& distorted);
 
-/// The same from a guess: the ray of a neighbouring point of the image, for example. A few Newton steps, and
-/// undistort() where they do not arrive inside the box.
+/// As undistort(), but starting at `guess`, for example the ideal point of a neighbouring pixel: a few Newton
+/// steps, and undistort() if they do not converge inside the box.
 std::optional<Eigen::Vector2d> undistort_near(const Distortion& lens, const Eigen::AlignedBox2d& box,
                                               const Eigen::Vector2d& distorted, const Eigen::Vector2d& guess);
 

@@ -69,7 +69,7 @@ void measure(const Distortion lens, const Eigen::AlignedBox2d& box, const Target
   }
 }
 
-/// How many residuals are not small enough.
+/// Number of residuals above `enough`.
 int count_failed(int count, const double* __restrict residual, double enough) {
   int failed = 0;
   for (int i = 0; i < count; ++i) failed += residual[i] <= enough ? 0 : 1;
@@ -90,7 +90,7 @@ void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const P
   for (int j = 0; j < nodes; ++j)
     for (int i = 0; i < nodes; ++i) {
       const Eigen::Vector2d target = to_plane(camera, {x0 + across.position[i], y0 + down.position[j]});
-      // A node outside D(box) spoils the guess, not the result.
+      // A node outside D(box) only makes the guess worse, not the result.
       node[j][i] = undistort(lens, box, target).value_or(target);
     }
 

@@ -18,7 +18,7 @@ struct InverseMapTile {
   alignas(32) std::array<double, side * side> x, y;
   double worst_residual_px = 0;  ///< largest |D(ideal) − distorted|, pixels of the distorted image
   int outside = 0;               ///< pixels outside D(box)
-  int fallbacks = 0;             ///< pixels for which the vectorised steps were not enough
+  int fallbacks = 0;             ///< pixels left to undistort() by the vectorised steps
 
   int index(int column, int row) const { return row * side + column; }
 };

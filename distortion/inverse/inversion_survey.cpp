@@ -76,8 +76,8 @@ InversionSurvey joined(InversionSurvey a, const InversionSurvey& b) {
 
 InversionSurvey survey_inversion(const CalibratedCamera& calibrated, const Eigen::AlignedBox2d& box) {
   const Pinhole& camera = calibrated.pinhole;
-  constexpr double most_pixels = 1e6;
-  const int step = std::max(1, int(std::sqrt(double(camera.width) * camera.height / most_pixels)));
+  constexpr double max_pixels = 1e6;
+  const int step = std::max(1, int(std::sqrt(double(camera.width) * camera.height / max_pixels)));
   InversionSurvey nothing;
   for (const Inverter& inverter : inverters) nothing.others.push_back({.name = inverter.name});
   const int rows = (camera.height + step - 1) / step;

@@ -5,7 +5,7 @@
 namespace cps {
 namespace {
 
-/// Applies `next` until it stands still, diverges beyond numbers, or `steps` are done.
+/// Applies `next` until x stops changing, is no longer finite, or `steps` steps are done.
 template <typename Next>
 Eigen::Vector2d iterate(const Eigen::Vector2d& start, int steps, Next next) {
   Eigen::Vector2d x = start;

@@ -19,8 +19,7 @@ float sum(Float8 v) {
   return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-/// The kernel over the bounds' rows, eight columns at a time. On one row the kernel's argument is a quadratic
-/// in x.
+/// Sums over the bounds, eight columns at a time. On one row the kernel's argument is a quadratic in x.
 template <int channels>
 void gather_channels(const PlanarPatch& patch, const FootprintTile& tile, int index,
                      const PixelBounds& bounds, float* pixel) {
@@ -80,7 +79,7 @@ PixelBounds pixel_bounds(const FootprintTile& tile, int index) {
 
 bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height) {
   const double x = tile.x[index], y = tile.y[index];
-  // Written so that NaN is outside; a far-off position must not reach the conversion to int.
+  // The negation makes NaN count as outside. Positions too large for an int must not reach pixel_bounds().
   if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;
   const PixelBounds bounds = pixel_bounds(tile, index);
   return bounds.x0 >= 0 && bounds.y0 >= 0 && bounds.x1 < width && bounds.y1 < height;

@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// A rectangle of an image as float planes, one per channel, of rows padded so that eight-wide loads stay
-/// inside.
+/// A rectangle of an image as float planes, one per channel. Rows are padded so that loads of eight pixels
+/// stay inside the memory.
 struct PlanarPatch {
   TileRect rect;
   int channels = 0;
@@ -25,17 +25,17 @@ struct PlanarPatch {
 /// value). Unchecked: the rectangle lies inside the image. `patch` keeps its memory between calls.
 void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& patch);
 
-/// Whole source pixels inside a footprint's bounding box.
+/// The source pixels whose centres lie inside a footprint's bounding box.
 struct PixelBounds {
   int x0, y0, x1, y1;  ///< inclusive
 };
 PixelBounds pixel_bounds(const FootprintTile& tile, int index);
 
-/// Whether a source of this size holds the whole footprint. One whose ray misses the source has none.
+/// Whether the whole footprint lies inside a source of this size; false if its ray misses the source.
 bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height);
 
-/// Gathers up to four channels of one output pixel: the kernel-weighted mean over its footprint. Unchecked:
-/// the bounds lie inside the patch and hold at least one pixel centre of the ellipse.
+/// Sets one output pixel's channels (up to four) to the kernel-weighted mean over its footprint. Unchecked:
+/// the bounds lie inside the patch and contain at least one pixel centre of the ellipse.
 void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, const PixelBounds& bounds,
             float* pixel);
 

@@ -13,8 +13,8 @@ namespace algo = OIIO::ImageBufAlgo;
 
 constexpr double pixel_variance = 1.0 / 12, support2 = kernel_support * kernel_support;
 
-/// White noise through a normal kernel of variance c along an axis has values one pixel apart correlated by
-/// exp(−1/4c); what is left of its variance is proportional to 1/√c per axis.
+/// White noise filtered by a Gaussian of variance c along an axis: values one pixel apart have correlation
+/// exp(−1/4c), and the remaining variance is proportional to 1/√c per axis.
 double correlation_of(double variance) {
   return std::exp(-0.25 / variance);
 }
@@ -22,7 +22,8 @@ double variance_of(double correlation) {
   return -0.25 / std::log(correlation);
 }
 
-/// Noise as it is wanted: what pixels of noise_grain_px would leave.
+/// Level and correlation of neighbouring pixels of the noise that master pixels of noise_grain_px would
+/// leave.
 struct Grain {
   double level, correlation;
 };
@@ -33,7 +34,7 @@ Grain wanted_grain(double sigma2) {
   return {.level = area / variance, .correlation = correlation_of(variance)};
 }
 
-/// A conic by its eigenvalues and the double angle of the first one's axis.
+/// A conic's eigenvalues, and cosine and sine of twice the angle of the first one's axis.
 struct PrincipalAxes {
   double eigenvalue[2], cos2, sin2;
 };
@@ -58,9 +59,9 @@ void set_conic(FootprintTile& tile, int index, const PrincipalAxes& axes) {
   tile.half_height[index] = static_cast<float>(std::sqrt(xx / determinant));
 }
 
-/// Kernel of the picture → kernel and weight of the noise to be added. Along each principal axis of the
-/// footprint, picture and addition together have the correlation of neighbours that is wanted, and over both
-/// axes its level.
+/// Replaces the kernel of the picture by kernel and weight of the noise to add, chosen so that picture and
+/// added noise together have the wanted correlation of neighbours along each principal axis of the footprint,
+/// and the wanted level.
 void turn_into_noise_kernel(FootprintTile& tile, int index, double sigma2, const Grain& wanted) {
   PrincipalAxes axes = principal_axes(tile.conic_xx[index], tile.conic_xy[index], tile.conic_yy[index]);
   double source_area[2], variance[2];  // of the picture's kernel along the axes: (source px)² and output px
@@ -78,7 +79,8 @@ void turn_into_noise_kernel(FootprintTile& tile, int index, double sigma2, const
   double added_variance[2];
   for (int axis = 0; axis < 2; ++axis) {
     const double correlation = (wanted.correlation - share * correlation_of(variance[axis])) / (1 - share);
-    // Next to share 1 little is added, and no kernel makes up for what an uneven footprint lacks.
+    // Near share 1 little noise is added, and no kernel can give an elongated footprint the wanted
+    // correlation.
     added_variance[axis] = std::clamp(variance_of(std::clamp(correlation, 0.05, 0.9)), 0.1, variance[axis]);
     axes.eigenvalue[axis] = 1 / (support2 * source_area[axis] * added_variance[axis]);
   }
@@ -113,11 +115,11 @@ OIIO::ImageBuf warp(const NoisyMaster& master, const Pinhole& master_camera, con
   if (options.resampling != Resampling::footprint)
     throw std::runtime_error("warp: a noisy master can only be averaged: resampling = footprint");
   OIIO::ImageBuf image = warp(master.picture, master_camera, lens, output, options, summary);
-  WarpOptions unasked = options;
-  unasked.require_resolution = false;  // asked of the picture already; no noise is added where it is lacking
+  WarpOptions noise_options = options;
+  noise_options.require_resolution = false;  // checked above; where it is lacking, no noise is added
   const OIIO::ImageBuf noise =
       warp_through([&](FootprintTile& tile) { turn_into_noise_kernels(tile, options.kernel_sigma_px); },
-                   master.noise, master_camera, lens, output, unasked);
+                   master.noise, master_camera, lens, output, noise_options);
   algo::add(image, image, noise);
   return image;
 }

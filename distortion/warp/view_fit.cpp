@@ -22,7 +22,7 @@ ViewFit refused(const std::string& why) {
   return {.valid = false, .camera = {}, .why = why};
 }
 
-/// distorting_footprints or undistorting_footprints.
+/// One of distorting_footprints and undistorting_footprints.
 using MakeFootprints = void (*)(const ResamplingGeometry& geometry, const TileRect& rect,
                                 FootprintTile& tile);
 

@@ -5,7 +5,8 @@
 
 namespace cps {
 
-/// KITTI's camera 3 in its base frame, scaled by the half diagonal: a strong, ordinary barrel.
+/// A strong barrel: the radial terms of KITTI's camera 3, in units of the base frame's half diagonal, and
+/// some tangential ones.
 inline Distortion barrel(const Pinhole& base) {
   const Distortion scaled{-0.512, 0.354, -0.150, 0.002, -0.001};
   return rescaled(scaled, 1 / (0.5 * frame_on_plane(base).diagonal().norm()));

@@ -8,7 +8,7 @@
 #include "numbers/angles.h"
 #include "random/counter_hash.h"
 
-/// Lenses and cameras for tests: number `index` of a stream, the same for ever.
+/// Random lenses and cameras for tests, each a pure function of stream and index.
 namespace cps {
 
 /// A camera of one of the two sizes that matter, H-FOV 30–150°.
@@ -35,7 +35,7 @@ inline Distortion random_lens(Stream stream, std::uint64_t index, const Pinhole&
 /// A lens with coefficients of any sign, uniform in scaled units: mostly moustaches, most of them folding.
 inline Distortion wild_lens(Stream stream, std::uint64_t index, const Pinhole& camera) {
   const Stream s = substream(stream, 2 * index + 1);
-  const auto draw = [&](int i, double most) { return random_uniform(s, i, -most, most); };
+  const auto draw = [&](int i, double bound) { return random_uniform(s, i, -bound, bound); };
   const Distortion scaled{draw(0, 0.6), draw(1, 0.5), draw(2, 0.3), draw(3, 0.05), draw(4, 0.05)};
   return rescaled(scaled, 1 / (0.5 * frame_on_plane(camera).diagonal().norm()));
 }

@@ -10,7 +10,7 @@ using namespace cps;
 
 namespace {
 
-// Every number differs from every other, so that nothing can be exchanged unnoticed.
+// All numbers differ, so that exchanging any two is noticed.
 const CalibratedCamera odd{"odd",
                            {.width = 640, .height = 362, .fx = 511, .fy = 498, .cx = 331.25, .cy = 170.5},
                            {.k1 = -0.21, .k2 = 0.07, .k3 = -0.011, .p1 = 0.004, .p2 = -0.0023}};
@@ -38,8 +38,8 @@ Eigen::Vector2d same_ray(Eigen::Vector2d ray) {
 }  // namespace
 
 TEST_CASE("resizing keeps the frame's edges, each axis by its own factor") {
-  // The outer edges, −.5 and W − .5, are fixed points of a resize in units of the frame: what a scaling of
-  // pixel centres (c' = s c) would get wrong by half a pixel.
+  // A resize keeps the outer edges, −.5 and W − .5, at the frame's edges. Scaling pixel centres (c' = s c)
+  // would be wrong by half a pixel.
   const CalibratedCamera wide = resized(odd, 960, 181);
   const auto moved = [](Eigen::Vector2d p) {
     const double u = (p.x() + 0.5) / 640, v = (p.y() + 0.5) / 362;
@@ -61,7 +61,7 @@ TEST_CASE("mirroring exchanges columns, centre of pixel to centre of pixel") {
   CHECK(mirrored_left_right(mirrored_left_right(odd)) == odd);
 }
 
-TEST_CASE("the fields of view agree where they should and differ where they must") {
+TEST_CASE("fields of view: equal for a centred pinhole, different off-centre and behind a lens") {
   const Pinhole centred = pinhole_from_hfov(640, 360, radians(90));
   const CalibratedCamera plain{"plain", centred, {}};
   const FieldsOfView same = fields_of_view(plain, certify_frame({}, centred).rectangle);
@@ -72,7 +72,7 @@ TEST_CASE("the fields of view agree where they should and differ where they must
   CHECK(degrees(same.label_vertical_rad) == Approx(degrees(2 * std::atan(360.0 / 640))));
   CHECK(same.seen->vertical_rad == Approx(same.ideal_vertical_rad));
 
-  // The whole frame right of the axis but for one sixteenth: atan(15/8) + atan(1/8).
+  // A sixteenth of the width lies left of the principal point: atan(15/8) + atan(1/8).
   CalibratedCamera shifted = plain;
   shifted.pinhole.cx = 39.5;
   const FieldsOfView off = fields_of_view(shifted, certify_frame({}, shifted.pinhole).rectangle);

@@ -35,7 +35,7 @@ struct Tally {
   double loosest = 0;
 };
 
-/// Certificate against the grid, half of the lenses on rectangles off the principal point.
+/// Compares certificates with a grid search; half of the rectangles are not centred on the principal point.
 Tally compare_with_grid(int lenses, int steps) {
   const Stream stream = make_stream(3, "certificate");
   const CertificateOptions options;
@@ -75,7 +75,7 @@ void check(const Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("the certificate never accepts what a dense search refutes, and rarely refuses what it does not") {
+TEST_CASE("the certificate accepts no lens that a dense search refutes, and at least 99 % of the others") {
   check(compare_with_grid(2000, 120));
 }
 
@@ -98,7 +98,8 @@ TEST_CASE("closed forms: one coefficient at a time") {
   CHECK(none.valid);
   CHECK(none.min_eigenvalue == Approx(1).margin(1e-11));
   CHECK(none.largest_scale > 1e6);
-  // p1 alone: J = I + 2 p1 [[y, x], [x, 3y]] has eigenvalues 1 + 2 p1 (2y ± r), least at the corners.
+  // p1 alone: J = I + 2 p1 [[y, x], [x, 3y]] has eigenvalues 1 + 2 p1 (2y ± r), smallest and largest at
+  // corners.
   const Certificate tangential = certify({.p1 = 0.1}, box);
   CHECK(tangential.min_eigenvalue == Approx(1 - 0.2 * (1.2 + 1)).margin(2e-5));
   CHECK(tangential.max_eigenvalue == Approx(1 + 0.2 * (1.2 + 1)).margin(2e-5));
@@ -119,7 +120,7 @@ TEST_CASE("the largest scale is where the scaled lens stops being certified") {
   }
 }
 
-TEST_CASE("a refusal says where, how much and why") {
+TEST_CASE("a refusal names radius, eigenvalue and dominant term") {
   const Eigen::AlignedBox2d box(Eigen::Vector2d(-0.8, -0.6), Eigen::Vector2d(0.8, 0.6));
   const Certificate folded = certify({.k1 = -0.5}, box);
   CHECK_FALSE(folded.valid);

@@ -22,8 +22,7 @@ const Camera kitti[]{{{1392, 512, 984.2439, 980.8141, 690.0, 233.1966},
                      {{1392, 512, 903.7596, 901.9653, 695.7519, 224.2509},
                       {-0.3639558, 0.1788651, -0.05382460, 0.0006029694, -0.0003922424}}};
 
-/// Distance in pixels from the frame's corner to the nearest point that the lens shows anywhere within
-/// radius 1.8.
+/// Distance in pixels from the frame's corner to the nearest image of any ideal point within radius 1.8.
 double nearest_shown_px(const Camera& camera, const Eigen::Vector2d& corner_px) {
   const Eigen::Vector2d corner = to_plane(camera.pinhole, corner_px);
   const double heading = std::atan2(corner.y(), corner.x());
@@ -43,7 +42,7 @@ TEST_CASE("KITTI's cameras 0 to 2 are one-to-one on their frames") {
     const FrameCertificate proof = certify_frame(lens, pinhole);
     INFO(proof.why);
     REQUIRE(proof.valid());
-    // The rectangle covers the frame: every pixel has its point; and a smaller one does not.
+    // Every pixel has its ideal point in the rectangle, but not in a slightly smaller one.
     for (double x = -0.5; x <= pinhole.width; x += 48)
       for (double y = -0.5; y <= pinhole.height; y += 32)
         CHECK(undistort(lens, proof.rectangle, to_plane(pinhole, {x, y})).has_value());
@@ -60,14 +59,14 @@ TEST_CASE("KITTI's camera 3 does not reach two corners of its frame") {
   const FrameCertificate proof = certify_frame(kitti[3].lens, kitti[3].pinhole, {1e-6, 10});
   CHECK_FALSE(proof.valid());
   CHECK_THAT(proof.why, Catch::Contains("folds") && Catch::Contains("99."));
-  CHECK(proof.certificate.valid);  // what it does reach, it maps one-to-one
+  CHECK(proof.certificate.valid);  // one-to-one on the part that it reaches
   CHECK(nearest_shown_px(kitti[3], {-0.5, 511.5}) > 1.5);
   CHECK(nearest_shown_px(kitti[3], {1391.5, 511.5}) > 4);
   CHECK(nearest_shown_px(kitti[0], {1391.5, 511.5}) < 1);
 }
 
 TEST_CASE("a lens that folds just beyond its frame is certified on it") {
-  // Drawn for a render of 115°; steps of 2 % outwards would jump from inside the frame to beyond the fold.
+  // Drawn for a render of 115°. Growing the rectangle by 2 % jumps from inside the frame to beyond the fold.
   const Distortion lens{-0.042635001885946405, 0.008895786961052175, -0.0033479210753974815,
                         -0.004881219735804383, 0.006637300129192834};
   const Pinhole crop{.width = 480,
@@ -83,7 +82,7 @@ TEST_CASE("a lens that folds just beyond its frame is certified on it") {
       CHECK(undistort(lens, proof.rectangle, to_plane(crop, {x, y})).has_value());
 }
 
-TEST_CASE("cameras that cannot be are refused by name") {
+TEST_CASE("impossible cameras are refused, naming the field") {
   const Pinhole good = pinhole_from_hfov(640, 480, radians(90));
   Pinhole bad = good;
   bad.fx = 0;

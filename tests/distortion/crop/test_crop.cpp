@@ -17,8 +17,8 @@ Eigen::Vector2d random_principal_point(Stream stream, std::uint64_t index, const
           camera.cy + camera.height * random_uniform(stream, 2 * index + 1, -0.08, 0.08)};
 }
 
-/// The zoom by the textbook's way: for points on the final frame's rim, a bracketing root finder on whether
-/// the inverse finds them in the master.
+/// The zoom by an independent method: a bracketing root finder for the zoom at which the inverses of points
+/// on the final frame's rim just stay inside the master.
 double zoom_by_root_finding(const Distortion& lens, const Pinhole& base,
                             const Eigen::Vector2d& principal_point) {
   const auto master = frame_on_plane(base);
@@ -160,6 +160,18 @@ TEST_CASE("true angles") {
   CHECK(ideal->vertical_rad == Approx(2 * std::atan(256 / camera.fx)));
   CHECK(ideal->diagonal_rad == Approx(2 * std::atan(std::hypot(696, 256) / camera.fx)));
   CHECK_FALSE(true_fov({.k1 = -0.1}, camera, box));  // a barrel lens sees beyond the pinhole's frame
+
+  // Off-centre: the diagonals differ, and the wider one counts.
+  const Pinhole off_centre{1000, 600, 500, 500, 300, 200};
+  const auto between = [&](double xa, double ya, double xb, double yb) {
+    const Eigen::Vector3d a(xa - 300, ya - 200, 500), b(xb - 300, yb - 200, 500);
+    return std::acos(a.normalized().dot(b.normalized()));
+  };
+  const double falling = between(-0.5, -0.5, 999.5, 599.5), rising = between(-0.5, 599.5, 999.5, -0.5);
+  REQUIRE(std::abs(falling - rising) > radians(1));
+  const auto off = true_fov({}, off_centre, {Eigen::Vector2d(-3, -3), Eigen::Vector2d(3, 3)});
+  REQUIRE(off);
+  CHECK(off->diagonal_rad == Approx(std::max(falling, rising)));
 
   // KITTI's camera 0 (2011-09-26): a label of 70.5°, though it sees 83°.
   const Pinhole kitti{1392, 512, 984.2439, 980.8141, 690.0, 233.1966};

@@ -12,14 +12,14 @@ constexpr Coefficient all[]{Coefficient::k1, Coefficient::k2, Coefficient::k3, C
                             Coefficient::p2};
 }
 
-TEST_CASE("everything inside the limits is allowed, and nothing beyond them") {
+TEST_CASE("values inside the limits are within the bounds, values outside are not") {
   const Stream stream = make_stream(13, "limits");
   const LensBounds bounds;
   for (int i = 0; i < 40; ++i) {
     const Pinhole camera = random_camera(stream, i);
     const auto box = frame_on_plane(camera);
     Distortion lens;
-    // The sequential scheme: one coefficient after the other, in an order of its own for each lens.
+    // Draws one coefficient after the other, in a different order for each lens, as the sampler does.
     for (int k = 0; k < 5; ++k) {
       const Coefficient which = all[(i + k * (1 + i % 4)) % 5];
       const Interval limits = coefficient_limits(lens, which, box, bounds);
@@ -52,6 +52,16 @@ TEST_CASE("limits of k1 alone in closed form") {
   const Interval p1 = coefficient_limits({.p2 = 0.009}, Coefficient::p1, box, {});
   CHECK(p1.high == Approx(0.012).margin(1e-9));
   CHECK(p1.low == -p1.high);
+}
+
+TEST_CASE("unusable bounds are named") {
+  CHECK(LensBounds{}.fault() == "");
+  CHECK_THAT(LensBounds{.min_eigenvalue = 1}.fault(), Catch::StartsWith("min_eigenvalue: "));
+  CHECK_THAT(LensBounds{.max_displacement = 0}.fault(), Catch::StartsWith("max_displacement: "));
+  CHECK_THAT(LensBounds{.max_tangential = -1}.fault(), Catch::StartsWith("max_tangential: "));
+  CHECK(PrincipalPointBounds{}.fault() == "");
+  CHECK_THAT(PrincipalPointBounds{.max_shift_y = 0.5}.fault(), Catch::StartsWith("max_shift: "));
+  CHECK_THAT(PrincipalPointBounds{.max_zoom = 0.9}.fault(), Catch::StartsWith("max_zoom: "));
 }
 
 TEST_CASE("a Gibbs sweep starts from the value at hand when 0 is not allowed") {

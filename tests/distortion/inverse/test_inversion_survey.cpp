@@ -43,8 +43,8 @@ TEST_CASE("on a mild lens all iterations agree with the proved inverse") {
   }
 }
 
-TEST_CASE("the survey counts what goes wrong, and says where first") {
-  // One-to-one on its frame, yet beyond the contraction that the ratio iteration needs.
+TEST_CASE("the survey counts wrong pixels and finds the innermost one") {
+  // One-to-one on its frame, but too strong for the ratio iteration to contract.
   const CalibratedCamera camera{"", {640, 400, 260, 260, 325, 190}, {.k1 = 0.35, .k2 = 0.05}};
   const FrameCertificate proof = certify_frame(camera.distortion, camera.pinhole, one_to_one);
   REQUIRE(proof.valid());
@@ -89,7 +89,7 @@ TEST_CASE("the survey is the same for any number of threads, and big frames are 
   }
 }
 
-TEST_CASE("what lies beyond a fold is counted as outside") {
+TEST_CASE("pixels beyond a fold are counted as outside") {
   const CalibratedCamera folding{"", pinhole_from_hfov(400, 300, radians(80)), {.k1 = -0.32}};
   const FrameCertificate proof = certify_frame(folding.distortion, folding.pinhole, one_to_one);
   REQUIRE_FALSE(proof.valid());

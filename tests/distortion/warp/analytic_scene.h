@@ -9,10 +9,11 @@
 
 namespace cps {
 
-/// A picture known everywhere on the plane z = 1.
+/// A picture as a function on the plane z = 1.
 using AnalyticScene = std::function<float(const Eigen::Vector2d& ideal)>;
 
-/// Its box-filtered render: each pixel the mean of samples² points of its square. Channels all alike.
+/// A box-filtered render of the scene: each pixel is the mean over samples² points of its square. All
+/// channels are equal.
 inline OIIO::ImageBuf render_analytic(const AnalyticScene& scene, const Pinhole& camera, int samples,
                                       int channels = 1) {
   OIIO::ImageBuf image(OIIO::ImageSpec(camera.width, camera.height, channels, OIIO::TypeFloat));

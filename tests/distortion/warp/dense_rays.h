@@ -8,7 +8,8 @@
 
 namespace cps {
 
-/// What the warp stands for: rays through a dense grid around each output pixel, weighted with the kernel.
+/// The value that the warp approximates: a kernel-weighted mean over rays through a dense grid around the
+/// output pixel.
 inline double reference_pixel(const AnalyticScene& scene, const Distortion& lens,
                               const Eigen::AlignedBox2d& box, const Pinhole& output, double sigma_px,
                               const Eigen::Vector2d& pixel, int steps) {

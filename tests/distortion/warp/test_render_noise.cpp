@@ -13,7 +13,7 @@ using namespace cps;
 
 namespace {
 
-/// A lens that enlarges the middle and shrinks the corners, and what is needed to warp through it.
+/// A lens that enlarges the middle and shrinks the corners, its crop, and the camera of a master.
 struct Barrel {
   Pinhole base = pinhole_from_hfov(200, 120, radians(90));
   Distortion lens = barrel(base);
@@ -31,7 +31,7 @@ struct Barrel {
   }
 };
 
-/// Noise in rings about the middle, from the most enlarged to the most shrunk.
+/// Statistics of noise in rings about the image's centre, from the most enlarged to the most shrunk.
 struct Rings {
   static constexpr int count = 6;
   double squares[count]{}, products[count]{}, sums[count]{}, pixels[count]{};
@@ -74,17 +74,18 @@ TEST_CASE("render noise has one level and one grain wherever the lens enlarges o
     INFO("ring " << ring << ": variance " << even.variance(ring) << ", as rendered " << uneven.variance(ring)
                  << "; correlation of neighbours " << even.neighbours(ring) << ", "
                  << uneven.neighbours(ring));
-    // About five pixels to an independent one leave 10,000 in the smallest ring: 1.4 % of standard deviation.
+    // Noise is correlated over about five pixels, so the smallest ring has 10,000 independent values: the
+    // variance has a standard deviation of 1.4 %.
     CHECK(even.variance(ring) == Approx(variance).epsilon(0.05));
     CHECK(even.neighbours(ring) == Approx(neighbours).margin(0.015));
     CHECK(std::abs(even.mean(ring)) < 5 * std::sqrt(variance * 5 / even.pixels[ring]));
   }
-  // g²/(4π(σ² − g²/12)) but for the kernel's shape.
+  // g²/(4π(σ² − g²/12)) for a Gaussian kernel; the warp's differs a little.
   CHECK(variance == Approx(0.64 / (4 * 3.14159 * (0.25 - 0.64 / 12))).epsilon(0.15));
   CHECK(uneven.variance(0) > 2 * uneven.variance(Rings::count - 1));
 }
 
-TEST_CASE("of equal halves comes what the warp makes of their mean") {
+TEST_CASE("equal halves give the warp of their mean") {
   const Barrel b;
   const Stream stream = make_stream(18, "picture");
   const OIIO::ImageBuf half = b.noise(0.1, 3, stream);
@@ -96,7 +97,7 @@ TEST_CASE("of equal halves comes what the warp makes of their mean") {
         REQUIRE(image.getchannel(x, y, 0, c) == Approx(expected.getchannel(x, y, 0, c)).epsilon(1e-6));
 }
 
-TEST_CASE("halves that do not belong together are refused") {
+TEST_CASE("halves of different sizes, and resampling that cannot average, are refused") {
   const Barrel b;
   const Stream stream = make_stream(19, "picture");
   CHECK_THROWS_WITH(join_halves(b.noise(1, 1, stream), b.noise(1, 3, stream)),

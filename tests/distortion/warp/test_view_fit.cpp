@@ -92,7 +92,7 @@ TEST_CASE("a source that shows enough gives the wanted camera itself") {
 
 TEST_CASE("straight views: the widest without black, everything, and the camera's own") {
   const Stream stream = make_stream(32, "straight view");
-  int fitted = 0;
+  int fitted = 0, whole = 0;
   for (int i = 0; i < 30; ++i) {
     CalibratedCamera source{"", pinhole_from_hfov(120, 72, radians(random_uniform(stream, i, 30, 110))), {}};
     source.distortion = random_lens(stream, i, source.pinhole);
@@ -107,19 +107,23 @@ TEST_CASE("straight views: the widest without black, everything, and the camera'
     CHECK(uncovered_straight(source, valid.camera) == 0);
     CHECK(uncovered_straight(source, scaled(valid.camera, 1 - 1e-3)) > 0);
     CHECK(all.camera.fx <= valid.camera.fx);
-    // Every corner of a source pixel on the rim lies in the frame, one of them on its rim.
+    // Every corner of a source pixel on the source's rim lies in the frame; if the lens is certified on the
+    // whole source, one of them lies on the frame's rim.
     double farthest = 0;
-    for (int x = 0; x <= 120; ++x)
-      for (const double y : {-0.5, 71.5}) {
-        const auto ideal =
-            undistort(source.distortion, proof.rectangle, to_plane(source.pinhole, {x - 0.5, y}));
-        if (!ideal) continue;
-        const Eigen::Vector2d pixel = to_pixel(all.camera, *ideal);
-        farthest = std::max({farthest, std::abs(pixel.x() - 49.5) / 50, std::abs(pixel.y() - 39.5) / 40});
-      }
+    const auto extend = [&](double x, double y) {
+      const auto ideal = undistort(source.distortion, proof.rectangle, to_plane(source.pinhole, {x, y}));
+      if (!ideal) return;
+      const Eigen::Vector2d pixel = to_pixel(all.camera, *ideal);
+      farthest = std::max({farthest, std::abs(pixel.x() - 49.5) / 50, std::abs(pixel.y() - 39.5) / 40});
+    };
+    for (int x = 0; x <= 120; ++x) extend(x - 0.5, -0.5), extend(x - 0.5, 71.5);
+    for (int y = 0; y <= 72; ++y) extend(-0.5, y - 0.5), extend(119.5, y - 0.5);
     CHECK(farthest <= 1 + 1e-9);
+    whole += proof.valid();
+    if (proof.valid()) CHECK(farthest >= 1 - 1e-9);
   }
   CHECK(fitted > 15);
+  CHECK(whole > 5);
   const CalibratedCamera camera{"", {120, 72, 100, 101, 60, 30}, {.k1 = -0.1}};
   CHECK(fit_straight_view(camera, Keep::camera, 120, 72, sigma_px).camera == camera.pinhole);
   CHECK_FALSE(fit_straight_view({"", {120, 72, 0, 101, 60, 30}, {}}, Keep::all, 120, 72, sigma_px).valid);

@@ -59,7 +59,7 @@ bool same_bytes(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
          std::memcmp(a.localpixels(), b.localpixels(), a.spec().image_bytes()) == 0;
 }
 
-/// A master of noise, and what is needed to warp it.
+/// A lens, its crop, and the camera of a master; master() fills one with noise.
 struct NoiseWarp {
   Pinhole base = pinhole_from_hfov(200, 120, radians(90));
   Distortion lens = barrel(base);
@@ -180,12 +180,12 @@ TEST_CASE("the padded master covers every footprint of a border-free crop") {
   CHECK(warped > 20);
 }
 
-TEST_CASE("what the crop lets through, the warp carries") {
+TEST_CASE("the crop's cap on magnification is the warp's") {
   CHECK(CropOptions{}.max_magnification <= largest_magnification({}));
   CHECK(CropOptions{}.max_magnification > 0.99 * largest_magnification({}));
 }
 
-TEST_CASE("what cannot be warped is refused in one line") {
+TEST_CASE("the warp refuses unusable input in one line") {
   const NoiseWarp w;
   const auto master = w.master(1);
   Pinhole wide = w.base, close = w.crop.camera;
@@ -247,7 +247,7 @@ TEST_CASE("depth is exact on planes and never mixed across an edge") {
         REQUIRE(found == Approx(expected).epsilon(1e-5));
       }
       if (to_edge <= 2 / w.camera.fx &&
-          ray->y() > 0.3) {  // at the edge: one or the other, to a pixel's difference
+          ray->y() > 0.3) {  // at the edge: the depth of one side or the other, never between them
         const double share = std::min(std::abs(found / 8 - 1), std::abs(found * ray->y() / 1.5 - 1));
         REQUIRE(share < 0.03);
       }
@@ -274,8 +274,8 @@ TEST_CASE("unwarp undoes warp within the kernel's blur") {
   const auto ideal = unwarp(distorted, crop.camera, lens, base, back, &summary);
   CHECK(summary.uncovered_pixels > 0);
   CHECK(summary.uncovered_pixels < 240 * 160 / 2);
-  // Two kernels of σ .5 and .6 px damp a wave of angular frequency k by exp(−k²σ²/2) and change nothing
-  // else.
+  // The kernels of σ .5 and .6 px damp a wave of angular frequency k by exp(−k²σ²/2) and leave it otherwise
+  // unchanged.
   double worst = 0;
   long compared = 0;
   for (int y = 30; y < 130; ++y)

@@ -58,7 +58,7 @@ TEST_CASE("sharpness does not follow the local magnification") {
   std::vector<double> found;
   std::string table;
   for (const double scale : {0.6, 0.8, 1.0, 1.3, 1.7}) {
-    // Output pixels per unit of the plane: `scale` times those of the base; the master does not change.
+    // The output has `scale` times the base's pixels per unit of the plane; the master stays the same.
     const Pinhole output{64, 200, 100 * scale, 100 * scale, 32, 100};
     const Pinhole base{240, 480, 100, 100, 120, 240};
     const Pinhole master = oversampled(base, options.oversampling);
