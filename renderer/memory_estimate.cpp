@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/geometry/geometry.h"
+#include "renderer/geometry/place_geometry.h"
 
 namespace cps {
 namespace {

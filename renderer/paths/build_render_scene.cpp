@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "renderer/geometry/place_geometry.h"
 #include "renderer/paths/render_scene.h"
 
 namespace cps {

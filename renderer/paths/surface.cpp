@@ -8,11 +8,6 @@
 namespace cps {
 namespace {
 
-Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
-  if (uv_set == 0) return geometry.vertices[vertex].uv;
-  return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
-}
-
 /// So many times longer than wide may the part of a footprint be that one texture lookup averages. It then
 /// reaches √8 widths to the side, less than a pixel where a pixel has 16 rays or more.
 constexpr float elongation_of_a_tap = 8.0f;
@@ -44,14 +39,11 @@ TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, const
   }
   const int sets = t.geometry.uv1.empty() ? 1 : 2;
   for (int set = 0; set < sets; ++set) {
-    const Eigen::Vector2f a = uv_of(t.geometry, set, t.corner.x()), b = uv_of(t.geometry, set, t.corner.y()),
-                          c = uv_of(t.geometry, set, t.corner.z());
-    footprint.uv[set] = interpolate(a, b, c, hit.u, hit.v);
-    const Eigen::Vector2f ab = b - a, ac = c - a;
-    const float uv_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
-    const float squared = tap_area * uv_area / world_area;
+    const TriangleUv uv = t.geometry.corner_uv(hit.triangle, set);
+    footprint.uv[set] = uv.at(hit.u, hit.v);
+    const float squared = tap_area * uv.double_area() / world_area;
     footprint.log2_width[set] = 0.5f * log2_of(std::clamp(squared, 1e-30f, 1e30f));
-    footprint.step[set] = ab * step.x() + ac * step.y();
+    footprint.step[set] = (uv.b - uv.a) * step.x() + (uv.c - uv.a) * step.y();
   }
   if (sets == 1) {
     footprint.uv[1] = footprint.uv[0];
