@@ -5,7 +5,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "renderer/cpu_time.h"
+#include "numbers/cpu_time.h"
 #include "renderer/math/flush_denormals.h"
 
 namespace cps {

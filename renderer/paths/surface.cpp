@@ -101,7 +101,7 @@ bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit) {
 }
 
 Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
-                     float least_roughness) {
+                     float min_roughness) {
   const WorldTriangle t = world_triangle(placed, hit.placement, hit.triangle);
   const Geometry& geometry = t.geometry;
   const SurfaceMaterial& material = *geometry.material;
@@ -146,9 +146,9 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
 
   BsdfParameters parameters = bsdf_parameters(material, base_color, footprint);
   if (material.transmits) parameters.straight = thin_glass_transmittance(parameters, std::abs(front.dot(wo)));
-  parameters.roughness = std::max(parameters.roughness, least_roughness);
+  parameters.roughness = std::max(parameters.roughness, min_roughness);
   if (parameters.clearcoat > 0.0f) {
-    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, least_roughness);
+    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, min_roughness);
     const Vec3 coat_normal = material.clearcoat_normal_texture.texture
                                  ? mapped_normal(t, hit, smooth_normal, material.clearcoat_normal_texture,
                                                  material.clearcoat_normal_scale, footprint)

@@ -32,9 +32,9 @@ struct Surface {
 };
 
 /// The surface at a hit of `ray`, which is `footprint_width` metres wide there (its textures are averaged
-/// over that). Its roughness is at least `least_roughness`.
+/// over that). Its roughness is at least `min_roughness`.
 Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
-                     float least_roughness);
+                     float min_roughness);
 
 /// Whether the hit is on the back of a single-sided material, which glTF does not show.
 bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit);

@@ -281,9 +281,9 @@ TEST_CASE("Lamps alone, BSDF alone and both together agree on a glossy surface")
           (cells * cells);
     }
     for (int i = 0; i < samples; ++i) {
-      const Sampler sampler = make_sampler(3, 1, 1, static_cast<std::uint32_t>(i));
+      const SobolSample sample = make_sobol_sample(3, 1, 1, static_cast<std::uint32_t>(i));
       const LampSample s =
-          built.lamps.sample(built.placed, Vec3::Zero(), Vec3::UnitY(), sampler.pair(0).x(), sampler.pair(1));
+          built.lamps.sample(built.placed, Vec3::Zero(), Vec3::UnitY(), sample.pair(0).x(), sample.pair(1));
       if (s.pdf > 0) {
         by_lamps +=
             (evaluate_bsdf(bsdf, local(to_eye), local(s.direction)).f_cos * s.light_over_pdf).cast<double>();
@@ -297,7 +297,7 @@ TEST_CASE("Lamps alone, BSDF alone and both together agree on a glossy surface")
                                   at) == Approx(s.pdf).epsilon(2e-3));
         }
       }
-      const BsdfSample d = sample_bsdf(bsdf, local(to_eye), sampler.pair(2).x(), sampler.pair(3));
+      const BsdfSample d = sample_bsdf(bsdf, local(to_eye), sample.pair(2).x(), sample.pair(3));
       if (!(d.pdf > 0)) continue;
       Ray ray;
       ray.direction = {d.wi.x(), d.wi.z(), -d.wi.y()};

@@ -48,8 +48,8 @@ Color sampled_albedo(const Bsdf& bsdf, const Vec3& wo) {
   constexpr int samples = 1 << 14;
   Eigen::Array3d sum = Eigen::Array3d::Zero();
   for (int i = 0; i < samples; ++i) {
-    const Sampler sampler = make_sampler(1, 2, 3, static_cast<std::uint32_t>(i));
-    sum += sample_bsdf(bsdf, wo, sampler.pair(0).x(), sampler.pair(1)).weight.cast<double>();
+    const SobolSample sample = make_sobol_sample(1, 2, 3, static_cast<std::uint32_t>(i));
+    sum += sample_bsdf(bsdf, wo, sample.pair(0).x(), sample.pair(1)).weight.cast<double>();
   }
   return (sum / samples).cast<float>();
 }

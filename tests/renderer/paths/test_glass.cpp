@@ -71,7 +71,7 @@ TEST_CASE("Packets of shadow rays are tinted once, however they spread") {
     Color together[packet_size];
     for (std::uint32_t i = 0; i < packet_size; ++i) {
       rays[i].origin = {0.3f, 0, -0.7f};
-      rays[i].direction = sun.sample(make_sampler(1, 2, 3, packet * packet_size + i).pair(0));
+      rays[i].direction = sun.sample(make_sobol_sample(1, 2, 3, packet * packet_size + i).pair(0));
       active[i] = i != packet % packet_size;
     }
     built.bvh.transmittance_coherent(rays, active, together);

@@ -150,10 +150,8 @@ TEST_CASE("A closed box is dark inside") {
 }
 
 TEST_CASE("Options out of range are refused by name") {
-  std::string why;
-  CHECK_FALSE(RenderOptions{.samples = 0}.is_valid(&why));
-  CHECK(why.starts_with("samples"));
-  CHECK_FALSE(RenderOptions{.max_shaded_vertices = 0}.is_valid(&why));
-  CHECK(why.starts_with("max_shaded_vertices"));
-  CHECK(RenderOptions{}.is_valid(nullptr));
+  CHECK_THAT(RenderOptions{.samples = 0}.fault(), Catch::StartsWith("samples:"));
+  CHECK_THAT(RenderOptions{.samples = 65537}.fault(), Catch::StartsWith("samples:"));
+  CHECK_THAT(RenderOptions{.max_shaded_vertices = 0}.fault(), Catch::StartsWith("max_shaded_vertices:"));
+  CHECK(RenderOptions{}.fault().empty());
 }
