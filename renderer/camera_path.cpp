@@ -23,8 +23,8 @@ Path path_along(const PathSource& source, const CameraPixel& pixel, const SobolS
 }  // namespace
 
 PathSource make_path_source(const Camera& camera, const RenderOptions& options) {
-  // Many samples a pixel average over it themselves: finer texture lookups then keep the picture crisp where
-  // a surface is seen at a slant (as pbrt scales its differentials).
+  // Many samples average over the pixel by themselves: finer texture lookups then keep surfaces sharp that
+  // are seen at a slant (as pbrt scales its ray differentials).
   const float footprint = std::max(0.125f, 1.0f / std::sqrt(static_cast<float>(options.samples)));
   return {make_camera_rays(camera, options.filter), options.filter, options.seed, footprint};
 }

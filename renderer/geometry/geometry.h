@@ -57,16 +57,16 @@ struct Geometry {
   float coverage(std::uint32_t triangle, float u, float v) const;
 };
 
-/// Geometry put into the world.
+/// One instance of a mesh in the world.
 struct Placement {
   int geometry = 0;
   int instance = 0;       ///< of the scene
-  bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
+  bool shared = false;    ///< true: the transforms below apply; false: geometry is in world coordinates
   bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
-  bool rides = false;     ///< with the car, and is shared: see put_car
+  bool rides = false;     ///< moves with the car (see put_car); implies `shared`
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
   Eigen::Matrix3f normal_from_mesh =
-      Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front
+      Eigen::Matrix3f::Identity();  ///< inverse transpose, so that mirrored fronts stay fronts
 };
 
 struct PlacedGeometry {

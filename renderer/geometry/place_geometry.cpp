@@ -10,7 +10,7 @@
 namespace cps {
 namespace {
 
-/// Copies of a mesh up to this many triangles in all are flattened: one BVH without instance transforms is
+/// Copies of a mesh are flattened up to this many triangles in all: a BVH without instance transforms is
 /// faster.
 constexpr std::size_t flatten_up_to_triangles = 20000;
 
@@ -116,7 +116,7 @@ PlacedGeometry place_geometry(const Scene& scene, const Materials& materials) {
   std::vector<int> shared_geometry(scene.meshes.size(), -1);
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
-    // What is scaled to nothing has no surface (and no inverse).
+    // Skip what is scaled to nothing: it has no surface, and its transform no inverse.
     if (mesh.triangles.empty() || instance.world_from_mesh.linear().determinant() == 0) continue;
     Placement placement;
     placement.instance = static_cast<int>(&instance - scene.instances.data());

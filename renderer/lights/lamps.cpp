@@ -14,7 +14,7 @@ bool shines(const Geometry& geometry) {
   return geometry.material->emits && !geometry.material->unlit && !geometry.viewer_only;
 }
 
-/// Mean emission of a triangle, by a lookup as wide as it is.
+/// Mean emission of a triangle, by one texture lookup as wide as the triangle.
 float mean_luminance(const Geometry& geometry, std::uint32_t triangle) {
   const SurfaceMaterial& material = *geometry.material;
   TextureFootprint at = geometry.full_detail(triangle, 1.0f / 3, 1.0f / 3);
@@ -73,7 +73,7 @@ LampSample sample_point(const PunctualLight& light, const Vec3& point, float pro
   return sample;
 }
 
-/// Density per solid angle seen from `point` of a uniformly drawn place on a triangle.
+/// Density per solid angle, seen from `point`, of a point `at` drawn uniformly on a triangle.
 float area_pdf(const WorldTriangle& t, const Vec3& point, const Vec3& at) {
   const Vec3 to_point = point - at;
   const float distance2 = to_point.squaredNorm();

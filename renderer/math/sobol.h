@@ -7,7 +7,7 @@
 
 /// Owen-scrambled Sobol points by hashing (Burley 2020, "Practical hash-based Owen scrambling"): no tables
 /// and no state. High dimensions are padded: each pair of dimensions is the two-dimensional Sobol
-/// (0,2)-sequence, visited in an order and under a scramble of its own.
+/// (0,2)-sequence with an order and a scramble of its own.
 namespace cps {
 
 inline std::uint32_t reverse_bits(std::uint32_t x) {
@@ -17,8 +17,8 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// A random permutation of 32-bit numbers in which a bit is only influenced by lower bits: on reversed digits
-/// that is a nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
+/// A random permutation of 32-bit numbers in which each bit depends on lower bits only: on reversed digits
+/// this is a nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
 inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
