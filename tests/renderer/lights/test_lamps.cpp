@@ -110,7 +110,7 @@ TEST_CASE("A directional light lights by its illuminance and the cosine, and cas
   const float cosine = -scene.lights[0].direction.y();
   CHECK(worst(illuminance(scene, 4096), Color(1, 2, 3) * cosine + 3) < 0.01);
   scene.materials.push_back(lambert({0, 0, 0, 1}));
-  add(scene, quad({-0.5f, 2, 0.5f}, {1, 0, 0}, {0, 0, -1}, 1));  // keeps the vertical one away
+  add(scene, quad({-0.5f, 2, 0.5f}, {1, 0, 0}, {0, 0, -1}, 1));  // shades the vertical light
   CHECK(worst(illuminance(scene, 4096), Color(1, 2, 3) * cosine) < 0.01);
 }
 

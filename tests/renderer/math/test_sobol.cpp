@@ -89,7 +89,7 @@ TEST_CASE("Scrambles are uniform over pixels, and independent of each other") {
 }
 
 TEST_CASE("Pairs of one pixel do not move together") {
-  // Padding would fail if two pairs visited their points in the same order: then x of one tells x of the
+  // Padding would fail if two pairs visited their points in the same order: x of one would determine x of the
   // other.
   constexpr int cells = 8, samples = 4096;
   std::vector<double> counts(cells * cells);
