@@ -10,7 +10,7 @@
 #include "production/interruption.h"
 #include "production/view_images.h"
 #include "production/view_render.h"
-#include "renderer/cpu_time.h"
+#include "numbers/cpu_time.h"
 
 namespace cps {
 namespace {

@@ -11,7 +11,7 @@
 #include "dataset/job/masters.h"
 #include "distortion/warp/render_noise.h"
 #include "files/files.h"
-#include "renderer/cpu_time.h"
+#include "numbers/cpu_time.h"
 #include "sensor/develop.h"
 
 namespace cps {

@@ -11,8 +11,8 @@
 namespace cps {
 namespace {
 
-/// Enough for a colour that light and shadow do not vary.
-constexpr int most_albedo_samples = 16;
+/// Few suffice, since light and shadow play no part.
+constexpr int max_albedo_samples = 16;
 
 struct AovDescription {
   const char* name;
@@ -40,11 +40,11 @@ ImageLayer empty_layer(Aov aov, int width, int height) {
   return {what.name, OIIO::ImageBuf(spec)};
 }
 
-/// What a pixel's central ray meets.
+/// Hit of a pixel's central ray.
 struct CentralHit {
   Surface surface;
   HitIds ids;
-  float distance, cos_axis;
+  float distance, cos_axis;  ///< along the ray, metres; of its angle to the optical axis
 };
 
 void set_floats(OIIO::ImageBuf& image, const TilePixel& at, const Vec3& value) {
@@ -74,13 +74,14 @@ void set_central(Aov aov, OIIO::ImageBuf& image, const TilePixel& at, const Cent
   }
 }
 
-/// What a pixel holds where its central ray meets nothing, if that is not 0.
+/// Fills in a pixel whose central ray meets nothing: infinite distances; all else stays 0.
 void set_nothing(Aov aov, OIIO::ImageBuf& image, const TilePixel& at) {
   if (aov == Aov::depth || aov == Aov::distance)
     set_floats(image, at, Vec3::Constant(std::numeric_limits<float>::infinity()));
 }
 
-struct AovTile {
+/// What every tile's layers are rendered with.
+struct AovTiles {
   const RenderScene& scene;
   const PathSource& source;
   const std::vector<Aov>& wanted;
@@ -97,7 +98,7 @@ struct AovTile {
     for (std::size_t k = 0; k < wanted.size(); ++k) set_central(wanted[k], layers[k].image, at, hit);
   }
 
-  /// Everything that the central rays show.
+  /// Fills in all layers but albedo, from the pixels' central rays.
   void set_centers(const Tile& tile) const {
     const Vec3 optical_axis = source.rays.world_from_camera.col(2);
     for (int first = 0; first < Tile::pixels; first += packet_size) {
@@ -122,6 +123,7 @@ struct AovTile {
     }
   }
 
+  /// Fills in albedo, the mean over a pixel's samples.
   void set_albedo(const Tile& tile, int samples, OIIO::ImageBuf& image) const {
     for (int index = 0; index < Tile::pixels; ++index) {
       const TilePixel at = tile_pixel(tile, index);
@@ -165,18 +167,17 @@ Aov aov_from_string(const std::string& name) {
 
 std::vector<ImageLayer> render_aovs(const RenderScene& scene, const Camera& camera,
                                     const RenderOptions& options, const std::vector<Aov>& wanted) {
-  std::string why;
-  if (!options.is_valid(&why)) throw std::runtime_error(why);
+  if (const std::string fault = options.fault(); !fault.empty()) throw std::runtime_error(fault);
   const PathSource source = make_path_source(camera, options);
   const int width = camera.pinhole.width, height = camera.pinhole.height;
   std::vector<ImageLayer> layers;
   for (const Aov aov : wanted) layers.push_back(empty_layer(aov, width, height));
-  const AovTile tiles{scene, source, wanted, layers, width, height};
+  const AovTiles tiles{scene, source, wanted, layers, width, height};
   for_each_tile(width, height, [&](const Tile& tile) {
     tiles.set_centers(tile);
     for (std::size_t k = 0; k < wanted.size(); ++k)
       if (wanted[k] == Aov::albedo)
-        tiles.set_albedo(tile, std::min(options.samples, most_albedo_samples), layers[k].image);
+        tiles.set_albedo(tile, std::min(options.samples, max_albedo_samples), layers[k].image);
   });
   return layers;
 }

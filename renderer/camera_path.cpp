@@ -6,14 +6,14 @@
 namespace cps {
 namespace {
 
-Path path_along(const PathSource& source, const CameraPixel& pixel, const Sampler& sampler,
+Path path_along(const PathSource& source, const CameraPixel& pixel, const SobolSample& random,
                 std::uint64_t index, const Eigen::Vector2f& offset_px) {
   const CameraRay ray = camera_ray(source.rays, pixel, offset_px);
   Path path;
-  path.sampler = sampler;
+  path.random = random;
   path.ray.origin = source.rays.position;
   path.ray.direction = ray.direction;
-  path.ray.id = static_cast<std::uint32_t>(mix64(sampler.pixel_key + index));
+  path.ray.id = static_cast<std::uint32_t>(mix64(random.pixel_key + index));
   path.ray.from_viewer = true;
   path.cone_spread = source.footprint * ray.pixel_angle;
   path.alive = true;
@@ -23,20 +23,20 @@ Path path_along(const PathSource& source, const CameraPixel& pixel, const Sample
 }  // namespace
 
 PathSource make_path_source(const Camera& camera, const RenderOptions& options) {
-  // Many samples a pixel average over it themselves: finer texture lookups then keep the picture crisp where
-  // a surface is seen at a slant (as pbrt scales its differentials).
+  // Many samples average over the pixel by themselves: finer texture lookups then keep surfaces sharp that
+  // are seen at a slant (as pbrt scales its ray differentials).
   const float footprint = std::max(0.125f, 1.0f / std::sqrt(static_cast<float>(options.samples)));
   return {make_camera_rays(camera, options.filter), options.filter, options.seed, footprint};
 }
 
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index) {
-  const Sampler sampler = make_sampler(source.seed, x, y, static_cast<std::uint32_t>(index));
-  return path_along(source, pixel, sampler, static_cast<std::uint64_t>(index),
-                    sample_filter(source.filter, sampler.joint_pair(joint_pixel)));
+  const SobolSample random = make_sobol_sample(source.seed, x, y, static_cast<std::uint32_t>(index));
+  return path_along(source, pixel, random, static_cast<std::uint64_t>(index),
+                    sample_filter(source.filter, random.joint_pair(joint_pixel)));
 }
 
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y) {
-  return path_along(source, pixel, make_sampler(source.seed, x, y, 0), 0, central_offset_px);
+  return path_along(source, pixel, make_sobol_sample(source.seed, x, y, 0), 0, central_offset_px);
 }
 
 }  // namespace cps

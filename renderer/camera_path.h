@@ -11,20 +11,20 @@ struct PathSource {
   CameraRays rays;
   PixelFilter filter;
   std::uint64_t seed;
-  float footprint;  ///< share of a pixel's width that texture lookups average over
+  float footprint;  ///< fraction of a pixel's width that a texture lookup averages over
 };
 
-/// Throws as make_camera_rays().
+/// Throws as make_camera_rays() does.
 PathSource make_path_source(const Camera& camera, const RenderOptions& options);
 
-/// Sample `index` of a pixel, at the beginning of its path.
+/// The start of the path of a pixel's sample `index`.
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index);
 
-/// Where in the pixel its central ray passes, from the centre. An edge that two triangles share may run
-/// exactly through the centres of pixels, and rays that meet it exactly can slip between the two.
+/// Offset of a pixel's central ray from the centre. An edge that two triangles share may run exactly through
+/// the centres of pixels, and a ray that hits it exactly can slip between the two.
 inline const Eigen::Vector2f central_offset_px(1.0f / 4096, 1.0f / 8192);
 
-/// The path through the pixel's centre, but for that: what the pixel shows where nothing may be averaged.
+/// The path through the pixel's centre (plus central_offset_px), for what must not be averaged.
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y);
 
 }  // namespace cps

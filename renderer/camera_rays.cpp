@@ -10,7 +10,7 @@
 namespace cps {
 namespace {
 
-/// The picture with as many whole pixels added on each side as the filter reaches beyond it.
+/// The picture with a margin of whole pixels on each side that the filter covers.
 Pinhole with_margin(const Pinhole& camera, PixelFilter filter) {
   const int margin = static_cast<int>(std::ceil(filter_radius_px(filter) - 0.5f));
   return oversampled(camera, 1, margin);
@@ -41,7 +41,7 @@ CameraPixel camera_pixel(const CameraRays& rays, int x, int y) {
   pixel.distorted = to_plane(rays.pinhole, {x, y});
   pixel.ideal = pixel.distorted;
   if (rays.lens) {
-    // The certificate says that there is one.
+    // The certificate guarantees that an inverse exists.
     pixel.ideal = undistort(*rays.lens, rays.ideal_box, pixel.distorted).value();
     pixel.ideal_from_distorted = distortion_jacobian(*rays.lens, pixel.ideal).inverse();
   }

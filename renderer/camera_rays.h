@@ -6,10 +6,10 @@
 
 namespace cps {
 
-/// Where a point of the picture looks.
+/// The ray of a point of the picture.
 struct CameraRay {
   Vec3 direction = {0, 0, 1};  ///< world, unit length
-  float pixel_angle = 0;       ///< square root of the solid angle that a pixel covers there, rad
+  float pixel_angle = 0;       ///< square root of the solid angle of a pixel there, rad
 };
 
 /// The rays of a camera, through its lens if it has one.
@@ -18,21 +18,21 @@ struct CameraRays {
   Eigen::Matrix3f world_from_camera;
   Pinhole pinhole;
   std::optional<Distortion> lens;
-  Eigen::AlignedBox2d ideal_box;  ///< on z = 1, where the lens is certified
+  Eigen::AlignedBox2d ideal_box;  ///< on the plane z = 1, where the lens is certified
 };
 
-/// Throws std::runtime_error in one line: sizes and focal lengths that are not positive; a lens that cannot
-/// be proved one-to-one on the picture and the margin that the filter reaches into.
+/// Throws std::runtime_error in one line: a size or focal length that is not positive; a lens that cannot be
+/// proved one-to-one on the picture and the margin around it that the filter covers.
 CameraRays make_camera_rays(const Camera& camera, PixelFilter filter);
 
-/// A pixel's centre, from which its rays are found.
+/// A pixel's centre, from which the inverse for its rays starts.
 struct CameraPixel {
-  Eigen::Vector2d distorted, ideal;      ///< of the centre on z = 1
+  Eigen::Vector2d distorted, ideal;      ///< the centre on z = 1, before and after undistortion
   Eigen::Matrix2d ideal_from_distorted;  ///< Jacobian there
 };
 CameraPixel camera_pixel(const CameraRays& rays, int x, int y);
 
-/// The ray `offset` pixels from the centre, by inverting the lens for it alone.
+/// The ray `offset_px` pixels from the centre. Inverts the lens for it by Newton steps from the centre.
 CameraRay camera_ray(const CameraRays& rays, const CameraPixel& pixel, const Eigen::Vector2f& offset_px);
 
 }  // namespace cps

@@ -4,11 +4,12 @@
 
 namespace cps {
 
-/// How far an image is from a reference.
+/// Difference of an image from a reference.
 struct ImageError {
   double rmse = 0;     ///< root of the mean squared difference, in the image's unit
-  double rel_mse = 0;  ///< mean of squared difference over squared reference (Rousselle et al. 2011), a
-                       ///< hundredth of the reference's mean square added below so that black does not rule
+  double rel_mse = 0;  ///< mean of squared difference over squared reference (Rousselle et al. 2011); 1 % of
+                       ///< the reference's mean square is added to the divisor, so that black pixels do not
+                       ///< dominate
   double bias = 0;     ///< mean difference over mean reference
 };
 

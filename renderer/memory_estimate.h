@@ -6,9 +6,10 @@
 
 namespace cps {
 
-/// Bytes that building and rendering this scene will take at most, the scene itself included: vertices,
-/// triangles and textures as the tracer holds them beside the scene's own, and Embree's BVH by a guess.
-/// For refusing what does not fit before it is built. Unchecked: the scene's indices must be in range.
+/// Estimated peak memory, in bytes, for building and rendering this scene: the scene itself; vertices,
+/// triangles and textures as the tracer stores them; and Embree's BVH by a measured figure per triangle. Lets
+/// callers refuse a scene that does not fit before it is built. Unchecked: the scene's indices must be in
+/// range.
 std::size_t estimated_bytes(const Scene& scene);
 
 }  // namespace cps

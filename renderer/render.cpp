@@ -1,9 +1,9 @@
 #include "renderer/render.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "renderer/camera_path.h"
@@ -11,7 +11,7 @@
 namespace cps {
 namespace {
 
-/// What becomes of one pixel's samples.
+/// Sums over one pixel's samples.
 struct PixelSum {
   Color sum = Color::Zero(), sum_of_squares = Color::Zero();
 
@@ -28,7 +28,7 @@ struct PixelSum {
   }
 };
 
-/// A picture's pixels while they are made.
+/// A picture's pixels while they are rendered.
 struct Pixels {
   int width, height;
   float* mean;
@@ -42,55 +42,58 @@ struct Pixels {
   }
 };
 
-/// Means of a tile's pixels. Its samples, pixel after pixel, travel in packets: eight of one pixel, or of few
-/// neighbours where a pixel has fewer. Returns the number of rays.
-std::uint64_t render_tile(const RenderScene& scene, const PathSource& source, const SampleRange& range,
-                          int max_shaded_vertices, const Tile& tile, const Pixels& pixels) {
-  std::uint64_t rays = 0;
-  const int count = Tile::pixels * range.count;
-  PixelSum pixel;
-  CameraPixel camera;
-  for (int first = 0; first < count; first += packet_size) {
-    Path paths[packet_size];
-    for (int i = 0; i < packet_size && first + i < count; ++i) {
-      const TilePixel at = tile_pixel(tile, (first + i) / range.count);
-      if (!pixels.contains(at)) continue;
-      const int sample = (first + i) % range.count;
-      if (sample == 0) camera = camera_pixel(source.rays, at.x, at.y);
-      paths[i] = camera_path(source, camera, at.x, at.y, range.first + sample);
+/// What every tile of a picture is rendered with.
+struct TileRenderer {
+  const RenderScene& scene;
+  PathSource source;
+  SampleRange range;  ///< of every pixel
+  int max_shaded_vertices;
+  Pixels pixels;
+
+  /// Renders a tile. Its samples, pixel after pixel, are traced in packets: all of one pixel, or of a few
+  /// neighbours where a pixel has less than a packet. Returns the number of rays.
+  std::uint64_t render(const Tile& tile) const {
+    std::uint64_t rays = 0;
+    const int count = Tile::pixels * range.count;
+    PixelSum pixel;
+    CameraPixel camera;
+    for (int first = 0; first < count; first += packet_size) {
+      Path paths[packet_size];
+      for (int i = 0; i < packet_size && first + i < count; ++i) {
+        const TilePixel at = tile_pixel(tile, (first + i) / range.count);
+        if (!pixels.contains(at)) continue;
+        const int sample = (first + i) % range.count;
+        if (sample == 0) camera = camera_pixel(source.rays, at.x, at.y);
+        paths[i] = camera_path(source, camera, at.x, at.y, range.first + sample);
+      }
+      trace_paths(scene, max_shaded_vertices, paths);
+      for (int i = 0; i < packet_size && first + i < count; ++i) {
+        rays += paths[i].rays;
+        pixel.add(paths[i].radiance);
+        if ((first + i) % range.count != range.count - 1) continue;
+        const TilePixel at = tile_pixel(tile, (first + i) / range.count);
+        if (pixels.contains(at)) pixels.set(at, pixel, range.count);
+        pixel = {};
+      }
     }
-    rays += trace_paths(scene, max_shaded_vertices, paths);
-    for (int i = 0; i < packet_size && first + i < count; ++i) {
-      pixel.add(paths[i].radiance);
-      if ((first + i) % range.count != range.count - 1) continue;
-      const TilePixel at = tile_pixel(tile, (first + i) / range.count);
-      if (pixels.contains(at)) pixels.set(at, pixel, range.count);
-      pixel = {};
-    }
+    return rays;
   }
-  return rays;
-}
+};
 
 }  // namespace
 
-bool RenderOptions::is_valid(std::string* why) const {
-  const auto fail = [&](const char* what) {
-    if (why) *why = what;
-    return false;
-  };
-  if (samples < 1 || samples > 65536) return fail("samples: must lie in [1, 65536]");
+std::string RenderOptions::fault() const {
+  if (samples < 1 || samples > 65536) return "samples: must lie in [1, 65536]";
   if (max_shaded_vertices < 1 || max_shaded_vertices > 1000)
-    return fail("max_shaded_vertices: must lie in [1, 1000]");
-  return true;
+    return "max_shaded_vertices: must lie in [1, 1000]";
+  return {};
 }
 
 std::string RenderSummary::brief() const {
-  char line[160];
-  const double ns = samples > 0 ? 1e9 * cpu_s / static_cast<double>(samples) : 0.0;
-  std::snprintf(line, sizeof line, "%.2f s (%.2f CPU-s), %.2f M samples at %.0f ns, %.2f rays each", wall_s,
-                cpu_s, 1e-6 * static_cast<double>(samples), ns,
-                samples > 0 ? static_cast<double>(rays) / static_cast<double>(samples) : 0.0);
-  return line;
+  const double count = static_cast<double>(samples);
+  return fmt::format("{:.2f} s ({:.2f} CPU-s), {:.2f} M samples at {:.0f} ns, {:.2f} rays each", wall_s,
+                     cpu_s, 1e-6 * count, samples > 0 ? 1e9 * cpu_s / count : 0.0,
+                     samples > 0 ? static_cast<double>(rays) / count : 0.0);
 }
 
 OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
@@ -100,26 +103,22 @@ OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const Rend
 
 OIIO::ImageBuf render_samples(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
                               const SampleRange& range, RenderSummary* summary, OIIO::ImageBuf* variance) {
-  std::string why;
-  if (!options.is_valid(&why)) throw std::runtime_error(why);
+  if (const std::string fault = options.fault(); !fault.empty()) throw std::runtime_error(fault);
   if (range.first < 0 || range.count < 1 || range.count > options.samples - range.first)
     throw std::runtime_error("samples: the range must be a part of those the picture has");
 
   const auto begin = std::chrono::steady_clock::now();
-  const PathSource source = make_path_source(camera, options);
   const int width = camera.pinhole.width, height = camera.pinhole.height;
   const OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
+  PathSource source = make_path_source(camera, options);
   OIIO::ImageBuf image(spec);
   if (variance) variance->reset(spec);
-  const Pixels pixels{width, height, static_cast<float*>(image.localpixels()),
-                      variance ? static_cast<float*>(variance->localpixels()) : nullptr};
+  const TileRenderer tiles{scene, std::move(source), range, options.max_shaded_vertices,
+                           Pixels{width, height, static_cast<float*>(image.localpixels()),
+                                  variance ? static_cast<float*>(variance->localpixels()) : nullptr}};
   std::atomic<std::uint64_t> rays = 0;
   const double cpu_s = for_each_tile(
-      width, height,
-      [&](const Tile& tile) {
-        rays += render_tile(scene, source, range, options.max_shaded_vertices, tile, pixels);
-      },
-      options.progress);
+      width, height, [&](const Tile& tile) { rays += tiles.render(tile); }, options.progress);
   if (summary) {
     summary->wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     summary->cpu_s = cpu_s;

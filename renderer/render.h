@@ -13,33 +13,38 @@
 namespace cps {
 
 struct RenderOptions {
-  int samples = 64;  ///< per pixel
-  int max_shaded_vertices =
-      5;  ///< surface points at which a path gathers light; the ray leaving the last may still see the sky
+  int samples = 64;             ///< per pixel
+  int max_shaded_vertices = 5;  ///< surface points at which a path gathers light; the ray that leaves the
+                                ///< last one may still see the sky
   std::uint64_t seed = 0;
   PixelFilter filter = PixelFilter::box;
-  TileProgress progress = {};  ///< for people who wait
-  bool is_valid(std::string* why) const;
+  TileProgress progress = {};  ///< called after every tile; may be empty
+
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
 struct RenderSummary {
   double wall_s = 0, cpu_s = 0;
   std::uint64_t samples = 0, rays = 0;
+
+  /// One line for people: times, and samples and rays with their rates.
   std::string brief() const;
 };
 
-/// Linear Rec. 709 radiance, three float channels. A pure function of its arguments: the same bytes for any
-/// number of threads (TBB decides how many). `variance`: of every pixel's mean, as if its samples were
-/// independent; the Sobol points that they are do better. Throws std::runtime_error in one line: options, a
-/// camera without a size, a lens that is not one-to-one on the picture.
+/// Linear Rec. 709 radiance, kcd/m², three float channels. A pure function of its arguments: the same bytes
+/// for any number of threads (TBB decides how many). `variance`: of every pixel's mean, as if its samples
+/// were independent, which overestimates it, since they are stratified. Throws std::runtime_error in one
+/// line: a fault of the options, a camera without a size, a lens that is not one-to-one on the picture.
 OIIO::ImageBuf render(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
                       RenderSummary* summary = nullptr, OIIO::ImageBuf* variance = nullptr);
 
-/// A part of every pixel's samples, so that a picture can be refined: its mean over samples `first` …
-/// `first + count − 1` of the `options.samples` that it will have in the end.
+/// Samples `first` … `first + count − 1` of every pixel's `options.samples`.
 struct SampleRange {
   int first = 0, count = 0;
 };
+
+/// The same as the mean over a part of the samples, so that a picture can be refined step by step.
 OIIO::ImageBuf render_samples(const RenderScene& scene, const Camera& camera, const RenderOptions& options,
                               const SampleRange& range, RenderSummary* summary = nullptr,
                               OIIO::ImageBuf* variance = nullptr);

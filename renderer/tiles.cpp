@@ -5,7 +5,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "renderer/cpu_time.h"
+#include "numbers/cpu_time.h"
 #include "renderer/math/flush_denormals.h"
 
 namespace cps {
@@ -22,7 +22,7 @@ double for_each_tile(int width, int height, const std::function<void(const Tile&
   const int across = (width + Tile::side - 1) / Tile::side, down = (height + Tile::side - 1) / Tile::side;
   const int total = across * down;
   std::atomic<std::uint64_t> cpu_ns = 0;
-  std::mutex telling;
+  std::mutex reporting;
   int done = 0;
   tbb::parallel_for(
       tbb::blocked_range<int>(0, total),
@@ -33,7 +33,7 @@ double for_each_tile(int width, int height, const std::function<void(const Tile&
           work({tile % across * Tile::side, tile / across * Tile::side});
         cpu_ns += static_cast<std::uint64_t>(1e9 * (thread_cpu_s() - cpu_begin));
         if (!progress) return;
-        const std::lock_guard lock(telling);
+        const std::lock_guard lock(reporting);
         done += static_cast<int>(tiles.size());
         progress(done, total);
       },

@@ -23,7 +23,7 @@ bool is_coefficients(const std::string& text) {
   return text.size() > 2 && (text[0] == 'k' || text[0] == 'p') && text[2] == '=';
 }
 
-/// "k1=…,p2=…", in any order; what is left out is 0.
+/// "k1=…,p2=…", in any order; missing coefficients are 0.
 Distortion parse_coefficients(const std::string& text) {
   Distortion lens;
   const std::pair<const char*, double*> names[] = {
@@ -39,7 +39,7 @@ Distortion parse_coefficients(const std::string& text) {
   return lens;
 }
 
-/// A master around the rectangle that the picture sees, as finely as the picture where the lens does not
+/// A master around the rectangle that the picture sees, with the picture's resolution where the lens does not
 /// magnify.
 Pinhole master_around(const FrameCertificate& proof, const Pinhole& picture) {
   const double focal = std::max(picture.fx, picture.fy);
@@ -50,8 +50,8 @@ Pinhole master_around(const FrameCertificate& proof, const Pinhole& picture) {
                      .fy = focal,
                      .cx = -first.x() - 0.5,
                      .cy = -first.y() - 0.5};
-  constexpr double smallest = 0.05;  // where a lens squeezes more, the pad would be larger than the picture
-  return master_camera(base, WarpOptions{}, std::max(smallest, proof.certificate.min_eigenvalue));
+  constexpr double min_eigenvalue = 0.05;  // below, the pad would be larger than the picture
+  return master_camera(base, WarpOptions{}, std::max(min_eigenvalue, proof.certificate.min_eigenvalue));
 }
 
 LensView cropped_view(const Distortion& lens, const Camera& ideal) {
@@ -66,7 +66,7 @@ LensView cropped_view(const Distortion& lens, const Camera& ideal) {
 LensView calibrated_view(const RenderRequest& request, const Camera& ideal) {
   const std::filesystem::path file = *request.lens;
   CalibratedCamera calibrated = chosen_camera(read_calibration(file), request.lens_camera.value_or(""), file);
-  if (request.hfov_deg) throw po::error("--hfov: the --lens file says what its picture sees");
+  if (request.hfov_deg) throw po::error("--hfov: leave it out; the --lens file defines the field of view");
   if (request.size) calibrated = resized(calibrated, ideal.pinhole.width, ideal.pinhole.height);
   const FrameCertificate proof = certify_frame(calibrated.distortion, calibrated.pinhole, one_to_one);
   if (!proof.valid()) throw std::runtime_error(file.string() + ": " + proof.why);

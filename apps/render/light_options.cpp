@@ -47,14 +47,16 @@ void describe_light(LightRequest& request, po::options_description_easy_init add
   add("sky", text(request.sky),
       "clear, overcast, a radiance (kcd/m2, one number or R,G,B), or an equirectangular .hdr or .exr "
       "[clear]");
-  add("sky-azimuth", number(day.sky_image_azimuth_deg), "of a picture's middle column, degrees from north");
-  add("sky-scale", number(day.sky_image_scale), "kcd/m2 per unit of the picture");
-  add("turbidity", number(day.turbidity), "of a clear sky's air: 2 very clear, 3 clear, 6 hazy");
-  add("sun-elevation", number(day.sun_elevation_deg), "degrees above the horizon");
-  add("sun-azimuth", number(day.sun_azimuth_deg), "degrees clockwise from north (-z)");
+  add("sky-azimuth", number(day.sky_image_azimuth_deg),
+      "direction of the middle column of a --sky picture, degrees clockwise from north (-z)");
+  add("sky-scale", number(day.sky_image_scale), "radiance of a --sky picture's value 1, kcd/m2");
+  add("turbidity", number(day.turbidity), "haze of a clear sky: 2 very clear, 3 clear, 6 hazy");
+  add("sun-elevation", number(day.sun_elevation_deg), "height of the sun, degrees above the horizon");
+  add("sun-azimuth", number(day.sun_azimuth_deg), "direction of the sun, degrees clockwise from north (-z)");
   add("sun-irradiance", text(request.sun_irradiance),
-      "klx on a surface that faces it, one number or R,G,B; 0: no sun [a clear sky's own]");
-  add("sun-diameter", number(day.sun_angular_diameter_deg), "degrees");
+      "light of the sun on a surface that faces it, klx, one number or R,G,B; 0: no sun [as the clear sky's "
+      "model says]");
+  add("sun-diameter", number(day.sun_angular_diameter_deg), "angular diameter of the sun, degrees");
 }
 
 Daylight daylight_of(const LightRequest& request) {

@@ -8,16 +8,16 @@
 
 namespace cps {
 
-/// Sun and sky as written.
+/// Options of sun and sky as the user wrote them.
 struct LightRequest {
   std::optional<std::string> sky, sun_irradiance;
   Daylight daylight;
 };
 
-/// The options of sun and sky, bound to `request`.
+/// Adds the options of sun and sky, bound to `request`.
 void describe_light(LightRequest& request, boost::program_options::options_description_easy_init add);
 
-/// What they mean. Throws boost::program_options::error.
+/// The daylight that the options describe. Throws boost::program_options::error.
 Daylight daylight_of(const LightRequest& request);
 
 }  // namespace cps

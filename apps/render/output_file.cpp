@@ -27,7 +27,7 @@ OIIO::ImageSpec spec_of(const std::vector<ImageLayer>& layers) {
     }
   }
   spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // same arguments, same bytes: not the clock
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // not the clock: same arguments, same bytes
   return spec;
 }
 

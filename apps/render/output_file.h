@@ -7,11 +7,11 @@
 
 namespace cps {
 
-/// One EXR, losslessly compressed: the first layer's channels under their own names (R, G, B), the others' as
-/// layer.channel. Every channel keeps its type.
+/// Writes one EXR, losslessly compressed. The first layer's channels keep their names (R, G, B), the others'
+/// are called layer.channel. Every channel keeps its type. Throws std::runtime_error that names the file.
 void write_exr(const std::filesystem::path& file, const std::vector<ImageLayer>& layers);
 
-/// 8-bit sRGB at this exposure, without a sensor's noise.
+/// Writes a PNG in 8-bit sRGB at this exposure, without sensor noise.
 void write_png(const std::filesystem::path& file, const OIIO::ImageBuf& linear, double exposure,
                std::uint64_t seed);
 

@@ -26,7 +26,7 @@ namespace po = boost::program_options;
 namespace cps {
 namespace {
 
-/// A scene made ready, and what is still told of it when its triangles have been handed over.
+/// A scene ready for rendering, and what is needed of it when its triangles are freed.
 struct LoadedScene {
   Camera ideal;
   std::vector<std::string> material_names;
@@ -57,7 +57,7 @@ LoadedScene load(const RenderRequest& request) {
   return loaded;
 }
 
-/// What --aov names; variance is the picture's own.
+/// Layers that --aov asks for. Variance comes from rendering the picture itself.
 struct WantedLayers {
   std::vector<Aov> aovs;
   bool variance = false;
@@ -82,7 +82,7 @@ WantedLayers wanted_layers(const RenderRequest& request) {
   return wanted;
 }
 
-/// Writes the picture; returns the exposure in stops, if one was needed.
+/// Writes the picture. Returns the exposure of a PNG in stops.
 std::optional<double> write_picture(const RenderRequest& request, OIIO::ImageBuf picture,
                                     std::vector<ImageLayer> layers) {
   if (request.output.extension() == ".exr") {
@@ -95,7 +95,7 @@ std::optional<double> write_picture(const RenderRequest& request, OIIO::ImageBuf
   return std::log2(exposure);
 }
 
-/// A line on a terminal, where somebody waits.
+/// Shows a progress line if stderr is a terminal.
 void show_progress(RenderOptions& options) {
   if (!isatty(STDERR_FILENO)) return;
   const auto progress = std::make_shared<std::optional<Progress>>();
@@ -114,8 +114,9 @@ int cps_render(const Arguments& arguments) {
   positional.add("scene", 1);
   po::variables_map values;
   if (!parse_options(arguments,
-                     "cps render SCENE -o FILE\nOne view of a glTF scene by path tracing, through a lens if "
-                     "one is given.\n",
+                     R"(cps render SCENE -o FILE
+Renders one view of a glTF scene by path tracing, through a lens if one is given.
+)",
                      describe(request), positional, values)) {
     return 0;
   }

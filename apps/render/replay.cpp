@@ -48,11 +48,11 @@ void replay(const RenderScene& scene, const Camera& camera, const RenderOptions&
   paths[0].record = &record;
   fmt::print(out, "pixel {}, {}, sample {}: from {} towards {}\n", x, y, sample, text(paths[0].ray.origin),
              text(paths[0].ray.direction));
-  const std::uint64_t rays = trace_paths(scene, options.max_shaded_vertices, paths);
+  trace_paths(scene, options.max_shaded_vertices, paths);
   for (std::size_t i = 0; i < record.vertices.size(); ++i)
     print_vertex(scene, record.vertices[i], i, material_names, out);
   fmt::print(out, "end: {}; from beyond {}\n", record.end, text(record.beyond));
-  fmt::print(out, "radiance {} kcd/m2, {} rays\n", text(paths[0].radiance), rays);
+  fmt::print(out, "radiance {} kcd/m2, {} rays\n", text(paths[0].radiance), paths[0].rays);
 }
 
 }  // namespace cps

@@ -18,43 +18,48 @@ po::typed_value<T>* with_default(T& target) {
 }
 
 void describe_camera(RenderRequest& request, po::options_description_easy_init add) {
-  add("size", optional(request.size), "WIDTHxHEIGHT, pixels [the lens file's, or 1392x512]");
-  add("camera", optional(request.camera), "a glTF camera, by name or number from 0");
+  add("size", optional(request.size), "WIDTHxHEIGHT, pixels [the --lens file's, or 1392x512]");
+  add("camera", optional(request.camera), "take pose and field of view of a glTF camera: its name or number");
   add("hfov", optional(request.hfov_deg),
-      "horizontal field of view, degrees; with coefficients as --lens, before the crop [the camera's, or "
+      "horizontal field of view, degrees; with coefficients as --lens, before the crop [the --camera's, or "
       "70]");
   add("position", optional(request.position),
-      "X,Y,Z of the camera, metres, y up [the first lane, or a view of it all]");
-  add("look-at", optional(request.look_at), "X,Y,Z of the point in the middle of the picture");
+      "X,Y,Z of the camera, metres, y up [the first lane, or a view of the whole scene]");
+  add("look-at", optional(request.look_at), "X,Y,Z of the point in the middle of the picture, metres");
   add("lens", optional(request.lens),
-      "a calibration file, or k1=..,k2=..,k3=..,p1=..,p2=..: a master is rendered and warped as for a "
-      "dataset");
-  add("lens-camera", optional(request.lens_camera), "which camera of the --lens file");
+      "a calibration file, or coefficients k1=..,k2=..,k3=..,p1=..,p2=..: renders an undistorted master and "
+      "warps it, as for a dataset");
+  add("lens-camera", optional(request.lens_camera), "name of the camera in a --lens file with several");
   add("lens-in-camera", po::bool_switch(&request.lens_in_camera),
-      "trace each ray through the lens instead: slower to converge, exact");
+      "trace each ray through the lens instead of warping a master: exact, but slower to converge");
 }
 
 void describe_sampling(RenderRequest& request, po::options_description_easy_init add) {
   RenderOptions& render = request.render;
-  add("samples", with_default(render.samples), "paths per pixel");
-  add("bounces", with_default(render.max_shaded_vertices), "surfaces that a path may meet");
-  add("filter", with_default(request.filter), "of the pixels: box, tent or gaussian");
-  add("materials", with_default(request.materials), "all, or diffuse: base colours only, for comparisons");
-  add("seed", with_default(render.seed), "of the sampling");
-  add("threads", with_default(request.threads), "0: all");
-  add("memory", with_default(request.memory_gib), "GiB; a scene that needs more is refused; 0: no limit");
+  add("samples", with_default(render.samples), "light paths traced per pixel; more: less noise");
+  add("max_shaded_vertices", with_default(render.max_shaded_vertices),
+      "surface points at which a path gathers light");
+  add("filter", with_default(request.filter),
+      "how a pixel weighs the light around it: box, tent or gaussian");
+  add("materials", with_default(request.materials),
+      "all, or diffuse: base colours only, to compare with other renderers");
+  add("seed", with_default(render.seed), "seed of the random choice of paths");
+  add("threads", with_default(request.threads), "number of threads; 0: all cores");
+  add("memory", with_default(request.memory_gib),
+      "GiB; a scene that needs more is refused before it is built; 0: no limit");
 }
 
 void describe_output(RenderRequest& request, po::options_description_easy_init add) {
-  add("output,o", po::value(&request.output), "a .png (8-bit sRGB) or .exr (linear, kcd/m2)");
+  add("output,o", po::value(&request.output), "file to write: .png (8-bit sRGB) or .exr (linear, kcd/m2)");
   add("exposure", optional(request.exposure_ev),
-      "stops: a .png's value is radiance (kcd/m2) times 2^EV [metered]");
+      "exposure of a .png, stops: its value is radiance (kcd/m2) times 2^EV [metered on the picture]");
   add("aov", optional(request.aov),
-      "more layers of the .exr: all, or a list of depth,distance,normal,albedo,position,instance,material,"
+      "add layers to the .exr: all, or a list of depth,distance,normal,albedo,position,instance,material,"
       "variance");
-  add("replay", optional(request.replay), "X,Y,S: no picture, but sample S of pixel X,Y, vertex by vertex");
+  add("replay", optional(request.replay),
+      "X,Y,S: print the path of sample S of pixel X,Y vertex by vertex instead of rendering");
   add("reference", optional(request.reference),
-      "an .exr: print the error against it as CSV while the picture refines");
+      "an .exr of the same view: print the error against it as CSV while the picture refines");
 }
 
 PixelFilter filter_from_string(const std::string& name) {
@@ -67,7 +72,7 @@ PixelFilter filter_from_string(const std::string& name) {
 void check_output(const RenderRequest& request) {
   if (request.output.empty()) {
     if (request.replay || request.reference) return;
-    throw po::error("--output: is missing: name a .png or .exr");
+    throw po::error("--output: is missing; name a .png or .exr");
   }
   const std::string kind = request.output.extension().string();
   if (kind != ".png" && kind != ".exr")
@@ -90,7 +95,7 @@ void check_lens(const RenderRequest& request) {
 po::options_description describe(RenderRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("scene", po::value(&request.scene)->required(), "a .glb or .gltf file");
+  add("scene", po::value(&request.scene)->required(), "the scene: a .glb or .gltf file");
   describe_output(request, add);
   describe_camera(request, add);
   describe_light(request.light, add);
@@ -100,8 +105,7 @@ po::options_description describe(RenderRequest& request) {
 
 void finish(RenderRequest& request) {
   request.render.filter = filter_from_string(request.filter);
-  std::string why;
-  if (!request.render.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = request.render.fault(); !fault.empty()) throw po::error("--" + fault);
   request.light.daylight = daylight_of(request.light);
   if (request.hfov_deg && !(*request.hfov_deg > 0 && *request.hfov_deg < 180))
     throw po::error("--hfov: must lie between 0 and 180 degrees");

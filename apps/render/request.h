@@ -10,7 +10,7 @@
 
 namespace cps {
 
-/// What `cps render` was asked for, as written.
+/// Options of `cps render`, as the user wrote them.
 struct RenderRequest {
   std::filesystem::path scene, output;
   std::optional<std::string> size, camera, position, look_at;
@@ -22,7 +22,7 @@ struct RenderRequest {
   std::optional<double> exposure_ev;
   std::string filter = "box", materials = "all";
   double memory_gib = 0;  ///< 0: no limit
-  int threads = 0;        ///< 0: all
+  int threads = 0;        ///< 0: all cores
   RenderOptions render;
   LightRequest light;
 };
@@ -30,7 +30,7 @@ struct RenderRequest {
 /// Every option with its help text, bound to `request`.
 boost::program_options::options_description describe(RenderRequest& request);
 
-/// Fills in what the texts mean and refuses what contradicts itself: throws boost::program_options::error.
+/// Parses the options that are texts and checks all. Throws boost::program_options::error.
 void finish(RenderRequest& request);
 
 }  // namespace cps

@@ -6,11 +6,11 @@
 
 #include "distortion/image_size.h"
 
-/// Values of options that are more than a number. Each throws boost::program_options::error naming the option
-/// and what it must be.
+/// Parses values of options that are more than a number. Each function throws boost::program_options::error
+/// that names the option and the expected form.
 namespace cps {
 
-/// "A,B,…": exactly `count` finite numbers. `form` says so to people.
+/// "A,B,…": exactly `count` finite numbers. `form` describes them in the error message.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text, std::size_t count,
                                   const std::string& form);
 

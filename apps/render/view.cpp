@@ -30,7 +30,7 @@ Eigen::Isometry3d looking_at(const View& view) {
   return world_from_camera;
 }
 
-/// From the beginning of the first lane along it; without lanes, down on the whole scene from a corner.
+/// From the start of the first lane along it; without lanes, the whole scene from above one corner.
 View default_view(const Scene& scene, const Pinhole& pinhole) {
   for (const Lane& lane : scene.lanes) {
     if (lane.points.size() < 2) continue;
@@ -45,7 +45,7 @@ View default_view(const Scene& scene, const Pinhole& pinhole) {
   return {center + distance * Eigen::Vector3d(0.6, 0.45, 0.75).normalized(), center};
 }
 
-/// By name, else by number.
+/// A glTF camera by name, else by number.
 const SceneCamera& find_camera(const Scene& scene, const std::string& wanted) {
   for (const SceneCamera& camera : scene.cameras)
     if (camera.name == wanted) return camera;

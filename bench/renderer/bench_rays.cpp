@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "numbers/angles.h"
@@ -45,7 +46,7 @@ void count(benchmark::State& state, const char* what, double each_iteration) {
       benchmark::Counter(double(state.iterations()) * each_iteration, benchmark::Counter::kIsRate);
 }
 
-/// The camera's rays at 8 samples a pixel, ready to be sent off, and what they meet.
+/// The camera's rays at 8 samples a pixel, and their hits.
 struct CameraRayset {
   std::vector<std::array<Path, packet_size>> packets;
   std::vector<std::array<Hit, packet_size>> hits;
@@ -80,7 +81,8 @@ void primary_rays_in_packets(benchmark::State& state) {
   for (auto _ : state)
     for (const auto& packet : rays.packets) {
       Ray lanes[packet_size];
-      const bool active[packet_size] = {true, true, true, true, true, true, true, true};
+      bool active[packet_size];
+      std::fill(std::begin(active), std::end(active), true);
       Hit hits[packet_size];
       for (int i = 0; i < packet_size; ++i) lanes[i] = packet[i].ray;
       city().ready->bvh.intersect_coherent(lanes, active, hits);
@@ -111,8 +113,7 @@ void sun_rays_in_packets(benchmark::State& state) {
 }
 BENCHMARK(sun_rays_in_packets)->Unit(benchmark::kMillisecond);
 
-/// Whole pictures by one thread: argument 0 is the field of view, argument 1 whether the rays go through a
-/// lens.
+/// Whole pictures, by one thread. Argument 0: H-FOV, degrees; argument 1: whether the rays go through a lens.
 void paths(benchmark::State& state) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   Camera camera = city().camera(double(state.range(0)));

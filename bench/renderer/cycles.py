@@ -27,7 +27,7 @@ def arguments():
     parser.add_argument("--position", default="0,1.65,0")
     parser.add_argument("--look-at", default="1,1.65,0")
     parser.add_argument("--samples", type=int, default=64)
-    parser.add_argument("--bounces", type=int, default=5, help="shaded vertices, as cps counts them")
+    parser.add_argument("--max_shaded_vertices", type=int, default=5, help="as for cps render")
     parser.add_argument("--sun-elevation", type=float, default=40)
     parser.add_argument("--sun-azimuth", type=float, default=135)
     parser.add_argument("--sun-irradiance", type=float, default=3)
@@ -144,7 +144,7 @@ def set_up(scene, args):
     cycles.pixel_filter_type = "BOX"
     cycles.seed = args.seed
     # "4" shades five vertices, and the ray that leaves the fifth may still see the sky.
-    cycles.max_bounces = cycles.diffuse_bounces = args.bounces - 1
+    cycles.max_bounces = cycles.diffuse_bounces = args.max_shaded_vertices - 1
     cycles.transparent_max_bounces = 64
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
     cycles.caustics_reflective = cycles.caustics_refractive = True

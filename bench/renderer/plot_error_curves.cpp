@@ -31,7 +31,7 @@ PlotSeries read_curve(const std::string& argument) {
   return curve;
 }
 
-/// What independent samples would do: error falls with their root.
+/// Error of independent samples: falls with the root of their number.
 PlotSeries root_law(const PlotSeries& from) {
   PlotSeries law{.name = "1/√samples"};
   for (const Eigen::Vector2d& point : from.points)

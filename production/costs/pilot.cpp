@@ -11,7 +11,7 @@
 #include "production/condition_scene.h"
 #include "production/scene_files.h"
 #include "production/view_images.h"
-#include "renderer/cpu_time.h"
+#include "numbers/cpu_time.h"
 #include "sampler/plan/plan.h"
 
 namespace fs = std::filesystem;

@@ -12,27 +12,13 @@ const Geometry& geometry_of(const RTCFilterFunctionNArguments* args) {
   return *static_cast<const Geometry*>(args->geometryUserPtr);
 }
 
-/// glTF's alpha test. Where vertex colours take part, the mask of the texture alone does not decide.
-bool passes_mask(const Geometry& geometry, unsigned triangle, float u, float v) {
-  const SurfaceMaterial& material = *geometry.material;
-  if (!material.mask.texture || !geometry.colors.empty())
-    return geometry.alpha(triangle, u, v) >= material.alpha_cutoff;
-  const Eigen::Vector3i& corner = geometry.triangles[triangle];
-  const TextureLookup& lookup = material.base_color_texture;
-  const auto uv_of = [&](int i) { return lookup.uv_set == 0 ? geometry.vertices[i].uv : geometry.uv1[i]; };
-  return material.mask.passes(
-      lookup.coordinates(interpolate(uv_of(corner.x()), uv_of(corner.y()), uv_of(corner.z()), u, v)));
-}
-
 void filter_mask(const RTCFilterFunctionNArguments* args) {
   const Geometry& geometry = geometry_of(args);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
     const unsigned triangle = RTCHitN_primID(args->hit, args->N, i);
-    if (!passes_mask(geometry, triangle, RTCHitN_u(args->hit, args->N, i),
-                     RTCHitN_v(args->hit, args->N, i))) {
+    if (!geometry.passes_mask(triangle, RTCHitN_u(args->hit, args->N, i), RTCHitN_v(args->hit, args->N, i)))
       args->valid[i] = 0;
-    }
   }
 }
 
@@ -50,7 +36,7 @@ void filter_blend_nearest(const RTCFilterFunctionNArguments* args) {
   }
 }
 
-/// Shadow ray i goes on with this share of its light, if any is left.
+/// Shadow ray i keeps this share of its light, and goes on if any is left.
 void let_pass(const RTCFilterFunctionNArguments* args, unsigned i, const Color& share) {
   auto* context = reinterpret_cast<ShadowContext*>(args->context);
   Color& left = context->transmittance[RTCRayN_id(args->ray, args->N, i)];
@@ -80,32 +66,20 @@ void filter_glass_shadow(const RTCFilterFunctionNArguments* args) {
     const Vec3 direction(RTCRayN_dir_x(args->ray, args->N, i), RTCRayN_dir_y(args->ray, args->N, i),
                          RTCRayN_dir_z(args->ray, args->N, i));
     const float cosine = std::abs(normal.dot(direction)) / (normal.norm() * direction.norm());
-    const TextureFootprint at = geometry.in_full_detail(triangle, u, v);
+    const TextureFootprint at = geometry.full_detail(triangle, u, v);
     const Color base_color = geometry.base_color(triangle, u, v, at).head<3>();
     const Color through =
         thin_glass_transmittance(bsdf_parameters(*geometry.material, base_color, at), cosine);
-    const float covered = coverage(geometry, triangle, u, v);
+    const float covered = geometry.coverage(triangle, u, v);
     let_pass(args, i, 1.0f - covered + covered * through);
   }
 }
 
 }  // namespace
 
-float coverage(const Geometry& geometry, std::uint32_t triangle, float u, float v) {
-  switch (geometry.material->alpha_mode) {
-    case AlphaMode::opaque:
-      return 1.0f;
-    case AlphaMode::mask:
-      return passes_mask(geometry, triangle, u, v) ? 1.0f : 0.0f;
-    case AlphaMode::blend:
-      break;
-  }
-  return std::clamp(geometry.alpha(triangle, u, v), 0.0f, 1.0f);
-}
-
-void init_shadow_context(ShadowContext& context) {
-  rtcInitIntersectContext(&context.embree);
-  std::fill(std::begin(context.transmittance), std::end(context.transmittance), Color::Ones());
+ShadowContext::ShadowContext() {
+  rtcInitIntersectContext(&embree);
+  std::fill(std::begin(transmittance), std::end(transmittance), Color::Ones());
 }
 
 void set_alpha_filters(RTCGeometry embree, const Geometry& geometry) {

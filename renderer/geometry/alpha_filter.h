@@ -3,24 +3,22 @@
 #include <embree3/rtcore.h>
 
 #include "renderer/geometry/geometry.h"
+#include "renderer/geometry/ray.h"
 
 namespace cps {
 
-/// What a shadow ray query carries: the light left after the half-transparent surfaces and the glass met so
-/// far, by ray id.
+/// State of a query for shadow rays: the light left, by ray id, after the half-transparent surfaces and the
+/// glass met so far.
 struct ShadowContext {
-  RTCIntersectContext embree;  ///< first, so that filters find the rest behind it
-  Color transmittance[8];
+  RTCIntersectContext embree;  ///< must be first: filters get a pointer to it and cast it to the whole
+  Color transmittance[packet_size];
+
+  ShadowContext();
 };
 
-/// Share of a surface that is there at a hit: 1 where it is opaque, what its alpha says elsewhere.
-float coverage(const Geometry& geometry, std::uint32_t triangle, float u, float v);
-
-void init_shadow_context(ShadowContext& context);
-
-/// Lets rays through the holes of masked geometry, and through half-transparent geometry: a nearest-hit ray
-/// by chance (a hash of ray id and triangle), a shadow ray with the share that is left. Glass stops
-/// nearest-hit rays and tints shadow rays. Does nothing for geometry that is opaque.
+/// Installs Embree filters that let rays through the holes of masked geometry and through half-transparent
+/// geometry: a nearest-hit ray by chance (a hash of ray id and triangle), a shadow ray with the share of
+/// light that is left. Glass stops nearest-hit rays and tints shadow rays. Installs none on opaque geometry.
 void set_alpha_filters(RTCGeometry embree, const Geometry& geometry);
 
 }  // namespace cps

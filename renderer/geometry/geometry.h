@@ -1,17 +1,35 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "renderer/geometry/packed_vertex.h"
 #include "renderer/materials/material.h"
-#include "scenes/scene.h"
 
 namespace cps {
 
+/// Value at barycentric (u, v) of a triangle whose corners have values a, b, c.
+template <class T>
+T interpolate(const T& a, const T& b, const T& c, float u, float v) {
+  return a * (1.0f - u - v) + b * u + c * v;
+}
+
+/// Texture coordinates of a triangle's corners in one uv set.
+struct TriangleUv {
+  Eigen::Vector2f a, b, c;
+
+  Eigen::Vector2f at(float u, float v) const { return interpolate(a, b, c, u, v); }
+  /// Of the parallelogram between ab and ac, in units of the uv set: twice the triangle's.
+  float double_area() const {
+    const Eigen::Vector2f ab = b - a, ac = c - a;
+    return std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+  }
+};
+
 /// Triangles of one material as the tracer holds them: in world coordinates, or, if several placements share
-/// them, in the mesh's own.
+/// them, in the mesh's own. Hits are given by triangle and barycentric (u, v).
 struct Geometry {
   std::vector<PackedVertex> vertices;
   std::vector<Eigen::Vector3i> triangles;
@@ -20,26 +38,35 @@ struct Geometry {
   const SurfaceMaterial* material = nullptr;
   bool viewer_only = false;  ///< an inside-out shell: light passes, see inside_out.h
 
-  /// Base colour with texture and vertex colours, and its alpha, where barycentric (u, v) hits a triangle.
+  /// Set 0 or 1. Geometry without a set 1 has set 0 in both.
+  TriangleUv corner_uv(std::uint32_t triangle, int uv_set) const;
+
+  /// Base colour and its alpha, with texture and vertex colours.
   Eigen::Array4f base_color(std::uint32_t triangle, float u, float v, const TextureFootprint& at) const;
 
-  /// The texture coordinates there, for lookups on the full image.
-  TextureFootprint in_full_detail(std::uint32_t triangle, float u, float v) const;
+  /// Footprint of a point, for texture lookups in the full image.
+  TextureFootprint full_detail(std::uint32_t triangle, float u, float v) const;
 
-  /// Base colour's alpha where barycentric (u, v) hits a triangle, on the full image.
+  /// Base colour's alpha in the full image.
   float alpha(std::uint32_t triangle, float u, float v) const;
+
+  /// glTF's alpha test: whether alpha reaches the cutoff.
+  bool passes_mask(std::uint32_t triangle, float u, float v) const;
+
+  /// Share of the surface that is there, by its alpha mode: 1 where it is opaque.
+  float coverage(std::uint32_t triangle, float u, float v) const;
 };
 
-/// Geometry put into the world.
+/// One instance of a mesh in the world.
 struct Placement {
   int geometry = 0;
   int instance = 0;       ///< of the scene
-  bool shared = false;    ///< the transforms below apply; otherwise the geometry lies in world coordinates
+  bool shared = false;    ///< true: the transforms below apply; false: geometry is in world coordinates
   bool mirrored = false;  ///< by the transforms below: triangles wind the other way in the world
-  bool rides = false;     ///< with the car, and is shared: see put_car
+  bool rides = false;     ///< moves with the car (see put_car); implies `shared`
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
   Eigen::Matrix3f normal_from_mesh =
-      Eigen::Matrix3f::Identity();  ///< inverse transpose: a mirror keeps fronts in front
+      Eigen::Matrix3f::Identity();  ///< inverse transpose, so that mirrored fronts stay fronts
 };
 
 struct PlacedGeometry {
@@ -58,7 +85,7 @@ struct WorldTriangle {
 
 WorldTriangle world_triangle(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle);
 
-/// Ask the cache for a triangle's corners, and, once they have come, for its vertices.
+/// Prefetches a triangle's corner indices into the cache; once they are there, its vertices.
 inline void prefetch_corners(const PlacedGeometry& placed, std::uint32_t placement, std::uint32_t triangle) {
   __builtin_prefetch(&placed.geometries[placed.placements[placement].geometry].triangles[triangle]);
 }
@@ -67,21 +94,7 @@ inline void prefetch_vertices(const PlacedGeometry& placed, std::uint32_t placem
   for (const int corner : geometry.triangles[triangle]) __builtin_prefetch(&geometry.vertices[corner]);
 }
 
-/// Metres by which a point on it may be off through rounding.
+/// Metres by which rounding may move a point on the triangle.
 float rounding_of(const WorldTriangle& triangle);
-
-/// Whether placements of this mesh share one copy: below a size, copies in world coordinates trace faster
-/// than instances.
-bool is_shared(const Mesh& mesh, std::size_t placements);
-
-/// Flattens meshes that are placed once, or are so small that copies trace faster than instances, into world
-/// coordinates; shares the others. Throws std::runtime_error where an index or a number in the scene is off.
-PlacedGeometry place_geometry(const Scene& scene, const Materials& materials);
-
-/// Value at barycentric (u, v) of a triangle whose corners have values a, b, c.
-template <class T>
-T interpolate(const T& a, const T& b, const T& c, float u, float v) {
-  return a * (1.0f - u - v) + b * u + c * v;
-}
 
 }  // namespace cps

@@ -8,8 +8,8 @@
 
 namespace cps {
 
-/// Unit vectors in 32 bits: the octahedron unfolded to a square (Meyer et al. 2010; Cigolle et al. 2014),
-/// within 0.004°. Axis directions are exact.
+/// A unit vector as a point in [−1, 1]²: the octahedron unfolded to a square (Meyer et al. 2010; Cigolle et
+/// al. 2014).
 inline Eigen::Vector2f octahedral(const Vec3& v) {
   const Vec3 n = v / v.cwiseAbs().sum();
   if (n.z() >= 0.0f) return n.head<2>();
@@ -24,7 +24,7 @@ inline Vec3 from_octahedral(const Eigen::Vector2f& square) {
   return n.normalized();
 }
 
-/// 16 bits a coordinate.
+/// A unit vector in 2 × 16 bits, exact to 0.004°; axis directions are exact.
 inline std::uint32_t pack_direction(const Vec3& v) {
   const Eigen::Vector2f o = octahedral(v) * 32767.0f;
   return static_cast<std::uint16_t>(std::lround(o.x())) | static_cast<std::uint32_t>(std::lround(o.y()))
@@ -37,7 +37,7 @@ inline Vec3 unpack_direction(std::uint32_t bits) {
                          (1.0f / 32767.0f));
 }
 
-/// All that shading fetches of a vertex, in half a cache line. Embree reads the positions in place.
+/// All vertex data for shading, in half a cache line. Embree reads the positions in place.
 struct PackedVertex {
   Vec3 position;
   std::uint32_t normal;

@@ -6,11 +6,15 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "renderer/geometry/alpha_filter.h"
 
 namespace cps {
 namespace {
+
+static_assert(Hit::no_placement == RTC_INVALID_GEOMETRY_ID);
+static_assert(packet_size == std::extent_v<decltype(RTCRay8::tfar)>);
 
 /// Embree tests a ray against a geometry where their masks share a bit.
 constexpr unsigned viewer_mask = 1, light_mask = 2;
@@ -45,7 +49,7 @@ RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& pl
   return instance;
 }
 
-/// For single rays.
+/// Passes the backs of single-sided materials. For single rays only.
 void filter_backs(const RTCFilterFunctionNArguments* args) {
   const auto& geometry = *static_cast<const Geometry*>(args->geometryUserPtr);
   if (geometry.material->double_sided) return;
@@ -115,6 +119,14 @@ bool in_one_octant(const Ray (&rays)[packet_size], const bool (&active)[packet_s
 }
 
 }  // namespace
+
+void Bvh::Release::operator()(RTCDeviceTy* device) const {
+  rtcReleaseDevice(device);
+}
+
+void Bvh::Release::operator()(RTCSceneTy* scene) const {
+  rtcReleaseScene(scene);
+}
 
 Bvh::Bvh(const PlacedGeometry& placed) : device(rtcNewDevice("isa=avx2")) {
   if (!device) throw std::runtime_error("ray tracing: Embree found no AVX2 on this machine");
@@ -191,7 +203,6 @@ void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active
 
 Color Bvh::transmittance(const Ray& ray) const {
   ShadowContext context;
-  init_shadow_context(context);
   RTCRay query = to_embree(ray);
   query.id = 0;
   rtcOccluded1(scene.get(), &context.embree, &query);
@@ -201,15 +212,14 @@ Color Bvh::transmittance(const Ray& ray) const {
 
 void Bvh::transmittance_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
                                  Color (&transmittance)[packet_size]) const {
-  // Embree takes a packet apart by octants, and shows its leaves to all rays once for each: filters would
-  // tint twice.
+  // Embree splits a packet by the octants of its directions and offers each leaf to all rays once per octant:
+  // filters would tint twice.
   if (!in_one_octant(rays, active)) {
     for (int lane = 0; lane < packet_size; ++lane)
       if (active[lane]) transmittance[lane] = this->transmittance(rays[lane]);
     return;
   }
   ShadowContext context;
-  init_shadow_context(context);
   context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRay8 query;
   alignas(32) int valid[packet_size];

@@ -6,8 +6,8 @@
 namespace cps {
 namespace {
 
-/// The step of a cumulative function that u falls into, and where within it. Steps of no height are never
-/// chosen.
+/// The step of a cumulative distribution that u falls into, and where within it. Steps of zero height are
+/// never chosen.
 struct Step {
   int index;
   float fraction;

@@ -8,9 +8,9 @@
 
 namespace cps {
 
-/// How the rows of a table of directions are spread from straight down to straight up.
+/// How a table of directions spaces its rows between straight down and straight up.
 enum class Rows {
-  crowded_at_horizon,  ///< by √|y|: a clear sky's light changes fastest there
+  crowded_at_horizon,  ///< by √|y|: a clear sky varies most there
   even_in_elevation    ///< as in an equirectangular picture
 };
 
@@ -43,7 +43,7 @@ struct DirectionSample {
   float pdf;  ///< 1/sr
 };
 
-/// Directions drawn in proportion to a table of weights; uniform by solid angle within a cell.
+/// Draws directions in proportion to a table of weights; uniform by solid angle within a cell.
 struct DirectionDistribution {
   int columns = 0, rows = 0;
   Rows spacing = Rows::crowded_at_horizon;
@@ -51,7 +51,7 @@ struct DirectionDistribution {
   std::vector<float> row_cdf;     ///< rows + 1 entries from 0 to 1
   std::vector<float> column_cdf;  ///< columns + 1 entries for every row
 
-  /// True where no direction was worth drawing: nothing may be sampled.
+  /// True if all weights were 0: sample() may not be called.
   bool empty() const { return density.empty(); }
   float pdf(const Vec3& direction) const;  ///< 0 where it is empty
   DirectionSample sample(const Eigen::Vector2f& u) const;

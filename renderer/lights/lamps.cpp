@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/geometry/alpha_filter.h"
 #include "renderer/math/fast_math.h"
 
 namespace cps {
@@ -15,18 +14,12 @@ bool shines(const Geometry& geometry) {
   return geometry.material->emits && !geometry.material->unlit && !geometry.viewer_only;
 }
 
-/// Mean emission of a triangle, by a lookup as wide as it is.
+/// Mean emission of a triangle, by one texture lookup as wide as the triangle.
 float mean_luminance(const Geometry& geometry, std::uint32_t triangle) {
   const SurfaceMaterial& material = *geometry.material;
-  TextureFootprint at = geometry.in_full_detail(triangle, 1.0f / 3, 1.0f / 3);
+  TextureFootprint at = geometry.full_detail(triangle, 1.0f / 3, 1.0f / 3);
   const int set = material.emissive_texture.uv_set;
-  const Eigen::Vector3i& corner = geometry.triangles[triangle];
-  const auto uv_of = [&](int i) {
-    return set == 0 || geometry.uv1.empty() ? geometry.vertices[i].uv : geometry.uv1[i];
-  };
-  const Eigen::Vector2f ab = uv_of(corner.y()) - uv_of(corner.x()),
-                        ac = uv_of(corner.z()) - uv_of(corner.x());
-  const float area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
+  const float area = geometry.corner_uv(triangle, set).double_area();
   at.log2_width[set] = 0.5f * log2_of(std::clamp(area, 1e-30f, 1e30f));
   return luminance(material.emissive * material.emissive_texture.sample(at).head<3>());
 }
@@ -80,7 +73,7 @@ LampSample sample_point(const PunctualLight& light, const Vec3& point, float pro
   return sample;
 }
 
-/// Density per solid angle seen from `point` of a uniformly drawn place on a triangle.
+/// Density per solid angle, seen from `point`, of a point `at` drawn uniformly on a triangle.
 float area_pdf(const WorldTriangle& t, const Vec3& point, const Vec3& at) {
   const Vec3 to_point = point - at;
   const float distance2 = to_point.squaredNorm();
@@ -102,9 +95,9 @@ LampSample sample_triangle(const PlacedGeometry& placed, const Lamps::Emitter& e
   if (!(distance > 0.0f) || (t.normal.dot(to_lamp) >= 0.0f && !material.double_sided)) return sample;
   const float pdf = probability * area_pdf(t, point, at);
   if (!std::isfinite(pdf)) return sample;
-  const TextureFootprint lookup = t.geometry.in_full_detail(emitter.index, b, c);
+  const TextureFootprint lookup = t.geometry.full_detail(emitter.index, b, c);
   const Color radiance = material.emissive * material.emissive_texture.sample(lookup).head<3>() *
-                         coverage(t.geometry, emitter.index, b, c);
+                         t.geometry.coverage(emitter.index, b, c);
   sample.direction = to_lamp / distance;
   sample.distance = distance - 1e-5f * distance - rounding_of(t);
   sample.light_over_pdf = radiance / pdf;

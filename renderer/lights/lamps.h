@@ -8,36 +8,37 @@
 
 namespace cps {
 
-/// Light that a lamp may send to a point.
+/// A point drawn on a lamp, and the light that it may send to a point in the scene.
 struct LampSample {
   Vec3 direction;        ///< to the lamp
-  float distance;        ///< to where the lamp begins, a little short of it
-  Color light_over_pdf;  ///< radiance (or irradiance facing it, of lamps without size) over the density
-  float pdf = 0;         ///< per solid angle; infinite for lamps without size; 0: no light
+  float distance;        ///< metres to the lamp, minus what rounding needs
+  Color light_over_pdf;  ///< radiance (irradiance of a surface that faces it, if it has no size) over density
+  float pdf = 0;         ///< 1/sr; infinite for lamps without size; 0: no light
 };
 
-/// All that shines inside the scene: emissive triangles and lamps without size, chosen by a LampTree, and
+/// All lights inside the scene: emissive triangles, point and spot lights, which a LampTree chooses from; and
 /// directional lights.
 struct Lamps {
-  struct Emitter {           ///< a triangle, or a light of the scene
-    std::int32_t placement;  ///< −1: a light
-    std::uint32_t index;
+  struct Emitter {
+    std::int32_t placement;  ///< of a triangle; −1: a point or spot light
+    std::uint32_t index;     ///< of the triangle, or into `points`
   };
   std::vector<Emitter> emitters;
-  std::vector<PunctualLight> points, directions;
-  std::vector<float> direction_cdf;         ///< of `directions` by luminance, 0 to 1
-  std::vector<std::int32_t> first_emitter;  ///< of every placement's triangles; −1: it does not shine
+  std::vector<PunctualLight> points, directions;  ///< point and spot lights; directional lights
+  std::vector<float> direction_cdf;               ///< to choose from `directions` by luminance, 0 to 1
+  std::vector<std::int32_t> first_emitter;        ///< of every placement's triangles; −1: emits nothing
   LampTree tree;
 
-  /// A lamp of the tree, for a surface at `point` facing `normal`. `u_choice` and `u` are uniform.
+  /// Draws a lamp of the tree and a point on it, for a surface at `point` facing `normal`. `u_choice` and `u`
+  /// are uniform in [0, 1).
   LampSample sample(const PlacedGeometry& placed, const Vec3& point, const Vec3& normal, float u_choice,
                     const Eigen::Vector2f& u) const;
 
-  /// One of the directional lights.
+  /// Draws one of the directional lights. There must be one.
   LampSample sample_direction(float u) const;
 
-  /// Density per solid angle with which sample() finds the place `at` on a triangle from `point`; 0 for what
-  /// it never finds.
+  /// Density per solid angle with which sample() draws the point `at` of a triangle, seen from `point`; 0 for
+  /// triangles that it never draws.
   float pdf(const PlacedGeometry& placed, const Vec3& point, const Vec3& normal, std::uint32_t placement,
             std::uint32_t triangle, const Vec3& at) const;
 };

@@ -15,8 +15,8 @@ float sine_of_row_border(const Sky& sky, int row) {
   return elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(sky.rows), sky.spacing);
 }
 
-/// Mean luminance of the distribution's cells: all of what the table's interpolation makes of its numbers, so
-/// that no bright spot lies where hardly anything is drawn.
+/// Mean luminance of the distribution's cells, by the table's own interpolation, so that no bright spot lies
+/// where hardly anything is drawn.
 std::vector<float> mean_luminance(const Sky& sky, int columns, int rows) {
   std::vector<float> means(static_cast<std::size_t>(columns) * rows);
   const auto points_for = [](int table, int cells) { return std::max(4, 2 * ((table + cells - 1) / cells)); };
@@ -84,9 +84,9 @@ Color horizontal_irradiance(const Sky& sky) {
 }
 
 DirectionDistribution make_sky_distribution(const Sky& sky) {
-  constexpr int least = 64, most_columns = 512, most_rows = 256;
-  const int columns = std::clamp(sky.columns / 4, least, most_columns);
-  const int rows = std::clamp(sky.rows / 4, least, most_rows);
+  constexpr int min_cells = 64, max_columns = 512, max_rows = 256;
+  const int columns = std::clamp(sky.columns / 4, min_cells, max_columns);
+  const int rows = std::clamp(sky.rows / 4, min_cells, max_rows);
   std::vector<float> weights = mean_luminance(sky, columns, rows);
   double mean = 0;
   for (int row = 0; row < rows; ++row) {
@@ -96,7 +96,7 @@ DirectionDistribution make_sky_distribution(const Sky& sky) {
     for (int column = 0; column < columns; ++column)
       mean += weights[static_cast<std::size_t>(row) * columns + column] * (high - low) / (2.0 * columns);
   }
-  // What exceeds the mean by rounding alone is not worth a ray.
+  // Do not draw what exceeds the mean by rounding alone.
   const auto left_to_bsdfs = static_cast<float>(1.0001 * mean);
   for (float& weight : weights) weight = std::max(0.0f, weight - left_to_bsdfs);
   return make_direction_distribution(columns, rows, sky.spacing, weights);

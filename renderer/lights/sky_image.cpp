@@ -9,7 +9,7 @@
 namespace cps {
 namespace {
 
-constexpr int most_columns = 8192, most_rows = 4096;
+constexpr int max_columns = 8192, max_rows = 4096;
 
 [[noreturn]] void refuse(const Daylight& daylight, const std::string& what) {
   throw std::runtime_error(daylight.sky_image.string() + ": " + what);
@@ -21,7 +21,7 @@ OIIO::ImageBuf read_picture(const Daylight& daylight) {
   if (!picture.init_spec(daylight.sky_image.string(), 0, 0))
     refuse(daylight, "cannot be read as a picture of the sky: " + picture.geterror());
   const OIIO::ImageSpec& spec = picture.spec();
-  if (spec.width < 2 || spec.height < 2 || spec.width > most_columns || spec.height > most_rows || spec.deep)
+  if (spec.width < 2 || spec.height < 2 || spec.width > max_columns || spec.height > max_rows || spec.deep)
     refuse(daylight, "is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
                          ": a picture of the sky may be 2x2 to 8192x4096");
   if (!picture.read(0, 0, true, OIIO::TypeDesc::FLOAT)) refuse(daylight, picture.geterror());

@@ -13,11 +13,10 @@ namespace cps {
 namespace {
 
 constexpr int sky_columns = 256, sky_rows = 128;
-constexpr float plain_albedo = 0.2f;  // of the country around the scene
-constexpr float plain_depth_m =
-    60.0f;  // how far the eye seems above it, which sets how soon haze swallows it
+constexpr float plain_albedo = 0.2f;    // of the land around the scene
+constexpr float plain_depth_m = 60.0f;  // below the eye; sets how fast haze hides the plain
 
-/// Fills the lower half: a plain under this irradiance, that fades into the horizon's sky.
+/// Fills the lower half with a plain under this irradiance, which fades into the sky at the horizon.
 void add_plain(Sky& sky, const Atmosphere& atmosphere, const Color& on_level_ground) {
   const Color plain = on_level_ground * (plain_albedo * std::numbers::inv_pi_v<float>);
   for (int row = 0; row < sky.rows / 2; ++row) {

@@ -23,7 +23,7 @@ Spectrum ozone_cross_section();
 /// gamut are clipped.
 Color to_rec709(const Spectrum& spectrum);
 
-/// CIE illuminant D65 as that camera sees it, of luminance 1: daylight at 6500 K, a little blue.
+/// CIE illuminant D65 (daylight at 6500 K) as that camera sees it: a little blue; luminance 1.
 Color d65_white();
 
 }  // namespace cps

@@ -13,11 +13,13 @@ struct Sun {
   float pdf;       ///< of every direction in the disc, 1/sr
 
   bool shines() const { return (radiance > 0.0f).any(); }
+  /// Whether a ray in this direction meets the disc.
   bool covers(const Vec3& from_world) const { return (from_world - direction).squaredNorm() <= chord2; }
+  /// A direction drawn uniformly from the disc, for `u` uniform in [0, 1)².
   Vec3 sample(const Eigen::Vector2f& u) const;
 };
 
-/// `irradiance` on a surface that faces it, klx.
+/// `irradiance`: of a surface that faces the sun, klx.
 Sun make_sun(const Vec3& direction, double angular_diameter_rad, const Color& irradiance);
 
 }  // namespace cps

@@ -20,8 +20,8 @@ bool AlphaMask::passes(const Eigen::Vector2f& uv) const {
     index = square_index(level, nearest_texel(uv.x(), level.width, texture->wrap_u),
                          nearest_texel(uv.y(), level.height, texture->wrap_v));
   } else {
-    // The square is named by its texel of lower coordinates; past an edge the wrap repeats or folds, so the
-    // first neighbour still names it but for repeat's seam, where the last texel does.
+    // A square is numbered by its texel of lower coordinates. Past an edge the wrap repeats or folds, so the
+    // first neighbour still gives its number, except at the seam of `repeat`, where the last texel does.
     index = square_index(level, texel_pair(uv.x(), level.width, texture->wrap_u).first,
                          texel_pair(uv.y(), level.height, texture->wrap_v).first);
   }

@@ -7,14 +7,15 @@
 
 namespace cps {
 
-/// Where a texture's filtered alpha reaches a threshold, known beforehand: for every square between four
-/// texel centres two bits say whether all of it passes, none of it, or the bilinear value must be looked at.
+/// Precomputed answer to whether a texture's filtered alpha reaches a threshold: for every square between
+/// four texel centres, two bits say that all of it passes, that none does, or that the bilinear value
+/// decides.
 struct AlphaMask {
   const MipTexture* texture = nullptr;
   float threshold = 0.5f;
   std::vector<std::uint8_t> squares;  ///< four to a byte, rows of level 0
 
-  /// Unchecked: uv must be finite.
+  /// Whether alpha at `uv` reaches the threshold. Unchecked: uv must be finite.
   bool passes(const Eigen::Vector2f& uv) const;
 };
 

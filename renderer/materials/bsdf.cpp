@@ -12,11 +12,11 @@ namespace cps {
 namespace {
 
 constexpr float coat_f0 = 0.04f;
-constexpr float smallest_alpha = 1e-3f;  // a mirror, for all that 24-bit floats can tell
+constexpr float min_alpha = 1e-3f;  // a mirror: floats resolve nothing sharper
 constexpr float inv_pi = std::numbers::inv_pi_v<float>;
 
 float alpha_of(float roughness) {
-  return std::max(roughness * roughness, smallest_alpha);
+  return std::max(roughness * roughness, min_alpha);
 }
 
 Coat make_coat(const BsdfParameters& p, const Vec3& wo) {
@@ -34,7 +34,7 @@ Vec3 mirrored(const Vec3& wo, const Vec3& h) {
   return 2.0f * wo.dot(h) * h - wo;
 }
 
-/// Layer and base.
+/// The layer and the base below it.
 BsdfValue evaluate_below_coat(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   if (wi.z() <= 0.0f || wo.z() <= 0.0f) return {Color::Zero(), 0.0f};
   const float base_pdf = bsdf.diffuse_probability * wi.z() * inv_pi;
@@ -120,8 +120,8 @@ BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eig
   using Kind = BsdfSample::Kind;
   const float up_to_straight = bsdf.specular_probability + bsdf.straight_probability;
   BsdfSample sample;
-  // Microfacets that lean send some light below their own layer. It is lost even where the other layer, whose
-  // normal may be another one, would take it: no density counts it.
+  // Tilted microfacets send some light below their own layer. It is lost, even if the other layer, whose
+  // normal may differ, could take it: no density includes it.
   bool is_lost = false;
   if (u_lobe < bsdf.specular_probability) {
     sample.kind = Kind::layer;

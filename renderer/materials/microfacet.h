@@ -11,7 +11,7 @@
 /// Directions are in the shading frame, z along the normal, and above the surface.
 namespace cps {
 
-/// Distribution of normals, 1/sr. Written with the tangential part so that it keeps its digits for small
+/// Distribution of normals, 1/sr. Written with the tangential components, which keeps its precision for small
 /// `alpha`.
 inline float ggx_distribution(const Vec3& h, float alpha) {
   const float alpha2 = alpha * alpha;
@@ -30,8 +30,8 @@ inline float smith_visibility(float cos_o, float cos_i, float alpha) {
   return 0.5f / (cos_i * smith_root(cos_o, alpha) + cos_o * smith_root(cos_i, alpha));
 }
 
-/// Density per solid angle of the reflection of `wo` about sample_visible_normal's answer `h`: G₁ D / (4
-/// cos_o).
+/// Density per solid angle of the reflection of `wo` about a normal `h` from sample_visible_normal():
+/// G₁ D / (4 cos_o).
 inline float visible_normal_pdf(const Vec3& wo, const Vec3& h, float alpha) {
   return ggx_distribution(h, alpha) / (2.0f * (wo.z() + smith_root(wo.z(), alpha)));
 }

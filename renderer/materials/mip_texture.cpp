@@ -40,8 +40,8 @@ struct Plane {
   std::vector<Eigen::Array4f> rgba;
 };
 
-/// Halves one axis: each new texel is the mean of what it covers, so an odd size loses nothing.
-/// `at(i)` reads and `put(i, v)` writes along the axis.
+/// Halves one axis. Each new texel is the mean of what it covers, so that odd sizes lose nothing. `at(i)`
+/// reads and `put(i, v)` writes along the axis.
 template <class At, class Put>
 void halve_line(int size, int new_size, At at, Put put) {
   const float ratio = static_cast<float>(size) / static_cast<float>(new_size);

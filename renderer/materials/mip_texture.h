@@ -25,16 +25,16 @@ struct MipTexture {
   bool nearest;
 
   /// Filtered RGBA, linear, at `uv`; trilinear between the levels around `level_of_detail` (log2 of the
-  /// footprint's width in texels; at most 0 is the full image). A `nearest` texture gives the texel of the
+  /// footprint's width in texels; 0 or less is the full image). A `nearest` texture returns a texel of the
   /// full image. Unchecked: uv must be finite.
   Eigen::Array4f sample(const Eigen::Vector2f& uv, float level_of_detail) const;
 
-  /// RGBA of one texel of level 0, linear. Wraps.
+  /// RGBA of one texel of level 0, linear. Unchecked: x and y must be in range.
   Eigen::Array4f texel(int x, int y) const;
 };
 
-/// `weigh_by_alpha`: transparent texels lend their colour to no average. For base colours whose alpha cuts
-/// holes.
+/// Builds the mip levels. `weigh_by_alpha`: transparent texels do not contribute their colour to averages, as
+/// base colours need whose alpha cuts holes.
 MipTexture make_mip_texture(const Texture& texture, bool weigh_by_alpha);
 
 }  // namespace cps

@@ -2,15 +2,15 @@
 
 namespace cps {
 
-/// What a GGX surface reflects of a uniform white surrounding, split as f0·scale + f90·bias (Karis 2013,
-/// "Real shading in Unreal Engine 4"), with Schlick's Fresnel.
+/// Fraction of light that a GGX surface reflects under uniform white light, as f0·scale + f90·bias (Karis
+/// 2013, "Real shading in Unreal Engine 4"), with Schlick's Fresnel term.
 struct SpecularAlbedo {
   float scale, bias;
   float operator()(float f0, float f90 = 1.0f) const { return f0 * scale + f90 * bias; }
 };
 
-/// Seen from a direction at `cosine` to the normal; `roughness` is glTF's (α = roughness²). From a table
-/// filled once, interpolated: within 0.003.
+/// Towards a viewer at `cosine` to the normal; `roughness` is glTF's (α = roughness²). Interpolated in a
+/// table that is computed once: exact to 0.003.
 SpecularAlbedo specular_albedo(float roughness, float cosine);
 
 /// The same averaged over the cosine-weighted hemisphere.

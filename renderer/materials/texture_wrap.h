@@ -13,7 +13,7 @@ struct TexelPair {
   float fraction;
 };
 
-/// Brings a texture coordinate into [0, 1].
+/// Maps a texture coordinate into [0, 1].
 inline float wrap_coordinate(float u, Wrap wrap) {
   switch (wrap) {
     case Wrap::repeat:
@@ -26,7 +26,7 @@ inline float wrap_coordinate(float u, Wrap wrap) {
   return u;
 }
 
-/// Neighbours on an axis of `size` texels.
+/// The texels next to a coordinate, on an axis of `size` texels.
 inline TexelPair texel_pair(float u, int size, Wrap wrap) {
   const float x = wrap_coordinate(u, wrap) * static_cast<float>(size) - 0.5f;
   const float floor_x = std::floor(x);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
-/// The few transcendental functions that the inner loop needs, as plain polynomials: fast, inlined, and the
-/// same bits on every machine (a C library may pick its own variant per CPU).
+/// The transcendental functions of the inner loop as plain polynomials: fast, inlined, and with the same bits
+/// on every machine (a C library may choose a variant by CPU).
 namespace cps {
 
 struct SinCos {

@@ -4,8 +4,8 @@
 
 namespace cps {
 
-/// While it lives, this thread counts denormal numbers as zero (FTZ and DAZ): Embree wants it, and it keeps
-/// the thousandfold slower arithmetic on them out of dim paths.
+/// While it exists, this thread treats denormal numbers as zero (FTZ and DAZ). Embree recommends it, and it
+/// keeps their very slow arithmetic out of dim paths.
 class FlushDenormals {
  public:
   FlushDenormals() : before(_mm_getcsr()) { _mm_setcsr(before | 0x8040); }

@@ -6,7 +6,7 @@
 
 namespace cps {
 
-/// An orthonormal frame around `normal`, its z axis: where BSDFs live.
+/// An orthonormal frame with `normal` as its z axis. BSDFs are evaluated in such a frame.
 struct Frame {
   Vec3 tangent, bitangent, normal;
 
@@ -14,8 +14,8 @@ struct Frame {
   Vec3 to_world(const Vec3& v) const { return v.x() * tangent + v.y() * bitangent + v.z() * normal; }
 };
 
-/// Any frame around a unit vector, continuous but for n.z = −0 (Duff et al. 2017, "Building an orthonormal
-/// basis, revisited").
+/// A frame around a unit vector, continuous except where n.z changes sign (Duff et al. 2017, "Building an
+/// orthonormal basis, revisited").
 inline Frame frame_around(const Vec3& n) {
   const float sign = std::copysign(1.0f, n.z());
   const float a = -1.0f / (sign + n.z());

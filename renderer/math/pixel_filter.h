@@ -8,15 +8,15 @@
 
 namespace cps {
 
-/// How a pixel weighs the light around its centre. Rays are drawn in proportion to it, so that every one
-/// counts the same.
+/// How a pixel weighs the light around its centre. Rays are drawn with this density, so that all count the
+/// same.
 enum class PixelFilter {
-  box,      ///< the pixel's own square: what a master's warp counts on
+  box,      ///< the pixel's own square: what warping a master assumes
   tent,     ///< falls linearly to 0 over one pixel on each axis
   gaussian  ///< standard deviation half a pixel, cut off at one and a half
 };
 
-/// How far from its centre a pixel looks, pixels on each axis.
+/// Half width of the filter on each axis, pixels.
 constexpr float filter_radius_px(PixelFilter filter) {
   switch (filter) {
     case PixelFilter::box:
@@ -29,7 +29,7 @@ constexpr float filter_radius_px(PixelFilter filter) {
   return 0.5f;
 }
 
-/// Offset from the pixel's centre for uniform `u`, pixels.
+/// Offset of a ray from the pixel's centre, pixels, for `u` uniform in [0, 1)².
 inline Eigen::Vector2f sample_filter(PixelFilter filter, const Eigen::Vector2f& u) {
   const auto tent = [](float v) {
     const float side = 2.0f * v - 1.0f;

@@ -7,7 +7,7 @@
 
 /// Owen-scrambled Sobol points by hashing (Burley 2020, "Practical hash-based Owen scrambling"): no tables
 /// and no state. High dimensions are padded: each pair of dimensions is the two-dimensional Sobol
-/// (0,2)-sequence, visited in an order and under a scramble of its own.
+/// (0,2)-sequence with an order and a scramble of its own.
 namespace cps {
 
 inline std::uint32_t reverse_bits(std::uint32_t x) {
@@ -17,8 +17,8 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// A random permutation of 32-bit numbers in which a bit is only influenced by lower bits: on reversed digits
-/// that is a nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
+/// A random permutation of 32-bit numbers in which each bit depends on lower bits only: on reversed digits
+/// this is a nested uniform (Owen) scramble. Laine & Karras 2011, with the constants of Vegdahl 2021.
 inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -39,7 +39,7 @@ inline std::uint32_t sobol_1_reversed(std::uint32_t index) {
   return index ^ ((index >> 1) & 0x55555555u);
 }
 
-/// 32 random digits → [0, 1), 24 bits.
+/// 32 random bits → [0, 1), of which 24 are used.
 inline float unit_float(std::uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
@@ -52,8 +52,8 @@ constexpr std::uint32_t faure_columns[16] = {
     0x00010001, 0x00020003, 0x00060006, 0x000b000d, 0x00130013, 0x00210032, 0x006d006d, 0x00b600db,
     0x01020102, 0x02030301, 0x060b060b, 0x0b0d0d06, 0x13211321, 0x21323213, 0x6db66db6, 0xb6dbdb6d};
 
-/// The numbers one sample of one pixel draws: any pair in any order.
-struct Sampler {
+/// The random numbers of one sample of one pixel, as pairs that may be asked for in any order.
+struct SobolSample {
   std::uint64_t pixel_key;
   std::uint32_t index;
 
@@ -87,8 +87,8 @@ struct Sampler {
   }
 };
 
-/// The sampler of sample `index` of pixel (x, y).
-inline Sampler make_sampler(std::uint64_t seed, int x, int y, std::uint32_t index) {
+/// Random numbers of sample `index` of pixel (x, y).
+inline SobolSample make_sobol_sample(std::uint64_t seed, int x, int y, std::uint32_t index) {
   const std::uint64_t pixel =
       (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) | static_cast<std::uint32_t>(x);
   return {mix64(mix64(seed + 0x9e3779b97f4a7c15ull) ^ mix64(pixel + 0xd1b54a32d192ed03ull)), index};

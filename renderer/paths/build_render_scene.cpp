@@ -4,13 +4,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "renderer/geometry/place_geometry.h"
 #include "renderer/paths/render_scene.h"
 
 namespace cps {
 
 namespace {
 
-/// How bright white unlit materials are: like white paper that lies on level ground.
+/// Radiance of white unlit materials: that of white paper on level ground.
 float unlit_white(const SkyAndSun& light) {
   const Color sunlight = light.sun.radiance / light.sun.pdf * std::max(0.0f, light.sun.direction.y());
   return luminance(horizontal_irradiance(light.sky) + sunlight) * std::numbers::inv_pi_v<float>;

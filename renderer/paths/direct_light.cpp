@@ -5,15 +5,15 @@
 namespace cps {
 namespace {
 
-/// Power heuristic (Veach 1997, β = 2) for a direction drawn with density `pdf` that another strategy draws
-/// with `other`.
+/// Power heuristic (Veach 1997, β = 2): weight of a direction drawn with density `pdf`, which another
+/// strategy draws with density `other`.
 float mis_weight(float pdf, float other) {
   if (std::isinf(pdf)) return 1.0f;
   const float ratio = other / pdf;
   return 1.0f / (1.0f + ratio * ratio);
 }
 
-/// The light that a vertex would get from `direction`, drawn from a lamp with density `pdf`.
+/// Light that a vertex gets from `direction`, drawn with density `pdf`, if nothing stands between.
 ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf,
                      const Color& light_over_pdf) {
   ShadowRay shadow;
@@ -52,43 +52,39 @@ Color light_from_lamp(const RenderScene& scene, const Path& path, const Hit& hit
   return surface.emission * mis_weight(path.pdf, pdf);
 }
 
-ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface,
-                      std::uint32_t first_pair) {
+ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface& surface) {
   const Sun& sun = scene.sun;
   if (!sun.shines() || surface.geometric_normal.dot(sun.direction) + std::sqrt(sun.chord2) <= 0.0f) return {};
-  return shadow_ray(path, surface, sun.sample(path.sampler.pair(first_pair + pair_sun)), sun.pdf,
-                    sun.radiance / sun.pdf);
+  return shadow_ray(path, surface, sun.sample(path.pair(pair_sun)), sun.pdf, sun.radiance / sun.pdf);
 }
 
-ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface,
-                      std::uint32_t first_pair) {
+ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface) {
   if (scene.sky.distribution.empty()) return {};
-  const DirectionSample sample = scene.sky.distribution.sample(path.sampler.pair(first_pair + pair_sky));
+  const DirectionSample sample = scene.sky.distribution.sample(path.pair(pair_sky));
   if (surface.geometric_normal.dot(sample.direction) <= 0.0f) return {};
   return shadow_ray(path, surface, sample.direction, sample.pdf,
                     scene.sky.radiance(sample.direction) / sample.pdf);
 }
 
-void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface, std::uint32_t first_pair,
-                  std::uint64_t& rays) {
+void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface) {
   const auto gather = [&](const LampSample& sample) {
     const ShadowRay shadow = towards_lamp(path, surface, sample);
     if (!shadow.wanted) return;
-    ++rays;
+    ++path.rays;
     const Color light = scene.bvh.transmittance(shadow.ray) * shadow.contribution;
     path.radiance += light;
     if (path.record) path.record->vertices.back().lamps += light;
   };
-  const Eigen::Vector2f which = path.sampler.pair(first_pair + pair_which_lamp);
+  const Eigen::Vector2f which = path.pair(pair_which_lamp);
   if (!scene.lamps.tree.empty()) {
     gather(scene.lamps.sample(scene.placed, surface.position, surface.geometric_normal, which.x(),
-                              path.sampler.pair(first_pair + pair_lamp)));
+                              path.pair(pair_lamp)));
   }
   if (!scene.lamps.directions.empty()) gather(scene.lamps.sample_direction(which.y()));
 }
 
 void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size], bool coherent,
-                Color VertexRecord::*kind, Path (&paths)[packet_size], std::uint64_t& rays) {
+                Color VertexRecord::*kind, Path (&paths)[packet_size]) {
   Color transmittance[packet_size];
   if (coherent) {
     Ray lanes[packet_size];
@@ -98,7 +94,7 @@ void gather_all(const RenderScene& scene, const ShadowRay (&shadows)[packet_size
   }
   for (int i = 0; i < packet_size; ++i) {
     if (!shadows[i].wanted) continue;
-    ++rays;
+    ++paths[i].rays;
     if (!coherent) transmittance[i] = scene.bvh.transmittance(shadows[i].ray);
     const Color light = transmittance[i] * shadows[i].contribution;
     paths[i].radiance += light;

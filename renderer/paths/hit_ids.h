@@ -4,7 +4,7 @@
 
 namespace cps {
 
-/// What a hit belongs to: indices into Scene::instances and Scene::materials.
+/// Instance and material of a hit: indices into Scene::instances and Scene::materials.
 struct HitIds {
   std::uint32_t instance, material;
 };

@@ -1,15 +1,16 @@
 #pragma once
 
 #include "renderer/math/sobol.h"
+#include "renderer/paths/random_pairs.h"
 #include "renderer/paths/render_scene.h"
 
 namespace cps {
 
-/// What one vertex of a path gave to its pixel: for people who look into a path.
+/// What one vertex of a path gave to its pixel, for inspecting paths.
 struct VertexRecord {
   Hit hit;
   Vec3 position, normal;  ///< geometric, towards the viewer
-  float footprint_m;      ///< that its textures were averaged over
+  float footprint_m;      ///< width that its textures were averaged over
   Color throughput;       ///< of the path when it arrived
   /// Contributions to the pixel.
   Color emission = Color::Zero(), sun = Color::Zero(), sky = Color::Zero(), lamps = Color::Zero();
@@ -21,35 +22,37 @@ struct PathRecord {
   const char* end = "";          ///< why it ended
 };
 
-/// One path from the camera: where it stands, and what it has gathered.
+/// One path from the camera: its current state, and what it has gathered.
 struct Path {
   Ray ray;
-  Sampler sampler;
+  SobolSample random;
   float cone_width = 0;   ///< metres that a pixel's cone spans at the ray's origin
   float cone_spread = 0;  ///< its opening angle, rad
-  float pdf = std::numeric_limits<float>::infinity();  ///< with which the ray's direction was drawn;
-                                                       ///< infinite: no choice
-  float least_roughness = 0;                           ///< of the surfaces to come
+  float pdf = std::numeric_limits<float>::infinity();  ///< density of the ray's direction, 1/sr; infinite:
+                                                       ///< not drawn at random
+  float min_roughness = 0;                             ///< lower limit on later surfaces
   Vec3 vertex_position, vertex_normal;                 ///< of the surface that drew it, if pdf is finite
-  int shaded_vertices = 0;                             ///< surface points behind it
+  int met_surfaces = 0;                                ///< including glass that it passed straight through
+  int shaded_vertices = 0;                             ///< surface points that scattered it
   Color throughput = Color::Ones();
-  Color radiance = Color::Zero();  ///< the answer
+  Color radiance = Color::Zero();  ///< the result
+  std::uint32_t rays = 0;          ///< traced for it so far, shadow rays included
   bool alive = false;
-  PathRecord* record = nullptr;  ///< kept up to date if there is one
+  PathRecord* record = nullptr;  ///< kept up to date if not null
+
+  /// Random numbers for a decision at the surface that it is meeting, uniform in [0, 1)².
+  Eigen::Vector2f pair(SurfacePair which) const {
+    return random.pair(pairs_per_surface * static_cast<std::uint32_t>(met_surfaces) + which);
+  }
 };
 
-/// Which pair of the sampler each decision draws.
-enum PairIndex : std::uint32_t { pair_first_vertex };
-enum JointPair : std::uint32_t { joint_pixel, joint_first_direction };
-
 /// Traces the paths that are alive to their ends: unidirectional path tracing with next-event estimation of
-/// sun, sky and lamps, multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). They
-/// should start alike, since their first rays and first sun rays go as packets. Returns the number of rays.
-std::uint64_t trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]);
+/// sun, sky and lamps, multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). The
+/// first rays and the first sun rays are traced as packets: fastest if the paths start alike.
+void trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]);
 
-/// The surfaces that the paths' first rays show, and the number of rays it took: glTF hides the backs of
-/// single-sided materials from the viewer.
-std::uint64_t first_hits(const RenderScene& scene, const Path (&paths)[packet_size],
-                         Hit (&hits)[packet_size]);
+/// The surfaces that the first rays of the living paths show. glTF hides the backs of single-sided materials
+/// from the viewer.
+void first_hits(const RenderScene& scene, Path (&paths)[packet_size], Hit (&hits)[packet_size]);
 
 }  // namespace cps

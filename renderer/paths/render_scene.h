@@ -8,13 +8,15 @@
 
 namespace cps {
 
-/// What a ray may meet, in the order of who points at whom.
+/// A scene ready for rendering under one light, see build_render_scene(). Each member may point into those
+/// before it.
 struct RenderScene {
   RenderScene(const Scene& scene, SkyAndSun light);
 
   Materials materials;
   PlacedGeometry placed;
-  std::vector<Eigen::Affine3f> vehicle_from_mesh;  ///< of the placements that ride, in their order
+  std::vector<Eigen::Affine3f>
+      vehicle_from_mesh;  ///< of the placements that ride with the car, in their order
   Bvh bvh;
   Lamps lamps;
   Sky sky;

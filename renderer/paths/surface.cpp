@@ -3,72 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/math/fast_math.h"
+#include "renderer/geometry/texture_footprint.h"
 
 namespace cps {
 namespace {
 
-Eigen::Vector2f uv_of(const Geometry& geometry, int uv_set, int vertex) {
-  if (uv_set == 0) return geometry.vertices[vertex].uv;
-  return geometry.uv1.empty() ? Eigen::Vector2f::Zero() : geometry.uv1[vertex];
-}
-
-/// So many times longer than wide may the part of a footprint be that one texture lookup averages. It then
-/// reaches √8 widths to the side, less than a pixel where a pixel has 16 rays or more.
-constexpr float elongation_of_a_tap = 8.0f;
-constexpr int most_taps = 8;
-
-/// Steps in barycentric (u, v) of a step in the triangle's plane.
-Eigen::Vector2f barycentric_step(const WorldTriangle& t, const Vec3& step) {
-  const Vec3 ab = t.positions[1] - t.positions[0], ac = t.positions[2] - t.positions[0];
-  const Vec3 normal = ab.cross(ac);
-  return Eigen::Vector2f(step.cross(ac).dot(normal), ab.cross(step).dot(normal)) / normal.squaredNorm();
-}
-
-/// Texture coordinates at the hit, and the ray's footprint in their units: the cone's (ray cones:
-/// Akenine-Möller et al. 2019), which the surface's slant stretches away from the viewer. A lookup averages a
-/// round area as large as its share of the footprint; what the viewer sees at a slant (roads) is covered by
-/// several in a row.
-TextureFootprint texture_footprint(const WorldTriangle& t, const Hit& hit, const Ray& ray, float width,
-                                   float cosine) {
-  TextureFootprint footprint;
-  const float world_area = t.normal.norm();
-  const float elongation = 1.0f / std::max(cosine, 1e-3f);
-  if (ray.from_viewer && world_area > 0.0f)
-    footprint.taps = std::clamp(static_cast<int>(elongation / elongation_of_a_tap + 0.5f), 1, most_taps);
-  const float tap_area = width * width * elongation / static_cast<float>(footprint.taps);
-  Eigen::Vector2f step = Eigen::Vector2f::Zero();
-  if (footprint.taps > 1) {
-    const Vec3 away = ray.direction - t.normal * (t.normal.dot(ray.direction) / (world_area * world_area));
-    step = barycentric_step(t, away.normalized() * (width * elongation / static_cast<float>(footprint.taps)));
-  }
-  const int sets = t.geometry.uv1.empty() ? 1 : 2;
-  for (int set = 0; set < sets; ++set) {
-    const Eigen::Vector2f a = uv_of(t.geometry, set, t.corner.x()), b = uv_of(t.geometry, set, t.corner.y()),
-                          c = uv_of(t.geometry, set, t.corner.z());
-    footprint.uv[set] = interpolate(a, b, c, hit.u, hit.v);
-    const Eigen::Vector2f ab = b - a, ac = c - a;
-    const float uv_area = std::abs(ab.x() * ac.y() - ab.y() * ac.x());
-    const float squared = tap_area * uv_area / world_area;
-    footprint.log2_width[set] = 0.5f * log2_of(std::clamp(squared, 1e-30f, 1e30f));
-    footprint.step[set] = ab * step.x() + ac * step.y();
-  }
-  if (sets == 1) {
-    footprint.uv[1] = footprint.uv[0];
-    footprint.log2_width[1] = footprint.log2_width[0];
-    footprint.step[1] = footprint.step[0];
-  }
-  return footprint;
-}
-
 Vec3 interpolated_normal(const WorldTriangle& t, const Hit& hit) {
   const auto packed = [&](int corner) { return t.geometry.vertices[corner].normal; };
   const std::uint32_t a = packed(t.corner.x()), b = packed(t.corner.y()), c = packed(t.corner.z());
-  if (a == b && a == c) return unpack_direction(a);  // walls and roads are flat
+  if (a == b && a == c) return unpack_direction(a);  // flat: most walls and roads
   return interpolate(unpack_direction(a), unpack_direction(b), unpack_direction(c), hit.u, hit.v);
 }
 
-/// What a normal map does to the interpolated normal, in the world.
+/// The interpolated normal, in the world, changed by a normal map.
 Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, const TextureLookup& map,
                    float scale, const TextureFootprint& footprint) {
   const auto& vertices = t.geometry.vertices;
@@ -89,9 +36,9 @@ Vec3 mapped_normal(const WorldTriangle& t, const Hit& hit, const Vec3& normal, c
   return (scale * (n.x() * tangent + n.y() * bitangent) + std::max(n.z(), 0.05f) * normal).normalized();
 }
 
-/// Bends a shading normal so that the mirror image of `wo` leaves the true surface: without it a bump that
-/// faces away from the viewer, or reflects into the surface, turns black (as Keller et al. 2017, "The Iray
-/// light transport simulation and rendering system", section A.3).
+/// Bends a shading normal so that the mirror image of `wo` leaves the true surface. Otherwise bumps that face
+/// away from the viewer, or reflect into the surface, turn black (Keller et al. 2017, "The Iray light
+/// transport simulation and rendering system", section A.3).
 Vec3 bent_towards_viewer(const Vec3& normal, const Vec3& geometric_normal, const Vec3& wo) {
   const Vec3 reflected = 2.0f * normal.dot(wo) * normal - wo;
   const float lowest = std::min(0.01f, 0.9f * geometric_normal.dot(wo));
@@ -109,7 +56,7 @@ bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit) {
 }
 
 Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
-                     float least_roughness) {
+                     float min_roughness) {
   const WorldTriangle t = world_triangle(placed, hit.placement, hit.triangle);
   const Geometry& geometry = t.geometry;
   const SurfaceMaterial& material = *geometry.material;
@@ -154,9 +101,9 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
 
   BsdfParameters parameters = bsdf_parameters(material, base_color, footprint);
   if (material.transmits) parameters.straight = thin_glass_transmittance(parameters, std::abs(front.dot(wo)));
-  parameters.roughness = std::max(parameters.roughness, least_roughness);
+  parameters.roughness = std::max(parameters.roughness, min_roughness);
   if (parameters.clearcoat > 0.0f) {
-    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, least_roughness);
+    parameters.clearcoat_roughness = std::max(parameters.clearcoat_roughness, min_roughness);
     const Vec3 coat_normal = material.clearcoat_normal_texture.texture
                                  ? mapped_normal(t, hit, smooth_normal, material.clearcoat_normal_texture,
                                                  material.clearcoat_normal_scale, footprint)

@@ -6,23 +6,22 @@
 
 namespace cps {
 
-/// The point where a path meets matter, and all that its light needs there.
+/// The point where a path hits a surface, with all that shading needs.
 struct Surface {
   Vec3 position;
   Vec3 geometric_normal;  ///< on the ray's side
   Frame shading;
   Vec3 wo;           ///< back along the ray, in the shading frame
-  Bsdf bsdf;         ///< not set where `scatters` is false
-  bool scatters;     ///< false for unlit materials, which take no light
+  Bsdf bsdf;         ///< not set if `scatters` is false
+  bool scatters;     ///< false for unlit materials, which reflect nothing
   Color base_color;  ///< glTF's, with texture and vertex colours
   Color emission;    ///< radiance towards wo
-  float clearance;   ///< metres that a ray must start off the surface, by rounding of the coordinates
+  float clearance;   ///< distance that a ray must start off the surface, for rounding, metres
 
-  /// A ray away from here. Ends the light's leak through the surface: `wi` must be on wo's side of the true
-  /// surface.
+  /// A ray away from the surface. `wi` must be on wo's side of the true surface, or light leaks through.
   Ray leave(const Vec3& wi) const { return {position + clearance * geometric_normal, wi}; }
 
-  /// `ray`, which came here, on its way straight through.
+  /// `ray`, which hit the surface, continued straight through it.
   Ray pass(const Ray& ray) const {
     Ray onward = ray;
     onward.origin = position - clearance * geometric_normal;
@@ -31,10 +30,10 @@ struct Surface {
   }
 };
 
-/// The surface at a hit of `ray`, which is `footprint_width` metres wide there (its textures are averaged
-/// over that). Its roughness is at least `least_roughness`.
+/// The surface at a hit of `ray`. Textures are averaged over the ray's width there, `footprint_width` metres;
+/// roughness is at least `min_roughness`.
 Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hit, float footprint_width,
-                     float least_roughness);
+                     float min_roughness);
 
 /// Whether the hit is on the back of a single-sided material, which glTF does not show.
 bool is_culled(const PlacedGeometry& placed, const Ray& ray, const Hit& hit);

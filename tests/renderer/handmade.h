@@ -5,6 +5,7 @@
 
 #include "numbers/angles.h"
 #include "renderer/paths/render_scene.h"
+#include "renderer/render.h"
 
 /// Small scenes and light for tests.
 namespace cps::handmade {

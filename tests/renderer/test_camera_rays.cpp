@@ -15,13 +15,14 @@ using namespace cps::handmade;
 
 namespace {
 
-/// Where the ray of a world direction falls in the picture.
+/// Pixel in which a world direction is seen.
 Eigen::Vector2d seen_at(const Camera& camera, const Vec3& direction) {
   const Eigen::Vector3d d = camera.world_from_camera.linear().transpose() * direction.cast<double>();
   return to_pixel(camera.pinhole, distort(*camera.lens, d.head<2>() / d.z()));
 }
 
-/// Of the quadrilateral between four unit vectors, by two triangles (Van Oosterom & Strackee 1983).
+/// Solid angle of the quadrilateral between four unit vectors, by two triangles (Van Oosterom & Strackee
+/// 1983).
 double solid_angle(const Eigen::Vector3d (&corner)[4]) {
   const auto triangle = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     return 2 * std::atan2(std::abs(a.dot(b.cross(c))), 1 + a.dot(b) + b.dot(c) + c.dot(a));
@@ -29,7 +30,7 @@ double solid_angle(const Eigen::Vector3d (&corner)[4]) {
   return triangle(corner[0], corner[1], corner[2]) + triangle(corner[0], corner[2], corner[3]);
 }
 
-/// A wall with fine and coarse structure, all of it well above the master's pixels.
+/// A wall with fine and coarse structure, all of it larger than the master's pixels.
 Scene painted_wall() {
   Scene scene;
   Texture t;

@@ -11,7 +11,7 @@ using namespace cps::handmade;
 
 namespace {
 
-/// Thousands of boxes of faces that touch and overlap, so that rays meet equally near triangles, some masked.
+/// Thousands of squares that touch and overlap, some masked, so that rays hit triangles at equal distances.
 Scene cluttered() {
   Scene scene;
   Texture holes;

@@ -5,7 +5,7 @@
 
 #include "random/counter_hash.h"
 #include "renderer/paths/surface.h"
-#include "tests/renderer/handmade.h"
+#include "tests/renderer/estimates.h"
 
 using namespace cps;
 using namespace cps::handmade;
@@ -50,11 +50,11 @@ struct Numbers {
   float next() { return 0x1p-24f * static_cast<float>(random_bits(stream, used++) >> 40); }
 };
 
-/// The same light transport without lamp, sun or sky samples, weights, roulette or packets: what a path meets
-/// by its BSDFs' choices alone.
+/// The same light transport without samples of lamps, sun or sky, weights, roulette or packets: paths find
+/// light only where their BSDFs happen to send them.
 Color trace_by_bsdf_alone(const RenderScene& scene, Ray ray, Numbers& numbers) {
   Color radiance = Color::Zero(), throughput = Color::Ones();
-  float least_roughness = 0;
+  float min_roughness = 0;
   for (int shaded = 0;;) {
     ray.id = static_cast<std::uint32_t>(random_bits(numbers.stream, numbers.used++));
     const Hit hit = scene.bvh.intersect(ray);
@@ -63,7 +63,7 @@ Color trace_by_bsdf_alone(const RenderScene& scene, Ray ray, Numbers& numbers) {
       if (scene.sun.covers(ray.direction)) beyond += scene.sun.radiance;
       return radiance + throughput * beyond;
     }
-    const Surface surface = make_surface(scene.placed, ray, hit, 0, least_roughness);
+    const Surface surface = make_surface(scene.placed, ray, hit, 0, min_roughness);
     radiance += throughput * surface.emission;
     if (shaded == max_shaded_vertices) {
       throughput *= surface.bsdf.straight;
@@ -84,27 +84,10 @@ Color trace_by_bsdf_alone(const RenderScene& scene, Ray ray, Numbers& numbers) {
     const bool matt = sample.kind == BsdfSample::Kind::diffuse;
     const float gloss =
         sample.kind == BsdfSample::Kind::coat ? surface.bsdf.coat.roughness : surface.bsdf.roughness;
-    least_roughness = std::max(least_roughness, matt ? 0.6f : 0.5f * gloss);
+    min_roughness = std::max(min_roughness, matt ? 0.6f : 0.5f * gloss);
     ray = surface.leave(direction);
     ++shaded;
   }
-}
-
-/// Mean of many estimates of a pixel, and the variance of that mean.
-struct Estimate {
-  Eigen::Array3d mean = Eigen::Array3d::Zero(), variance = Eigen::Array3d::Zero();
-};
-
-template <class Draw>
-Estimate estimate(int count, Draw draw) {
-  Eigen::Array3d sum = Eigen::Array3d::Zero(), squares = sum;
-  for (int i = 0; i < count; ++i) {
-    const Eigen::Array3d value = draw(i).template cast<double>();
-    sum += value;
-    squares += value * value;
-  }
-  const Eigen::Array3d mean = sum / count;
-  return {mean, (squares / count - mean * mean) / (count - 1)};
 }
 
 std::vector<Estimate> reference(const RenderScene& scene, const Camera& view, int samples) {
@@ -139,20 +122,20 @@ std::vector<Estimate> rendered(const RenderScene& scene, const Camera& view, int
   return pixels;
 }
 
-/// The least probability, over all pixels and channels, that two estimates of the same thing differ as much
-/// as these.
-double least_p_value(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
-  double least = 1;
+/// Smallest probability, over all pixels and channels, that two estimates of the same quantity differ by as
+/// much as these.
+double min_p_value(const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
+  double min = 1;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
       const double z = (a[i].mean[c] - b[i].mean[c]) / std::sqrt(a[i].variance[c] + b[i].variance[c]);
-      least = std::min(least, std::erfc(std::abs(z) / std::sqrt(2.0)));
+      min = std::min(min, std::erfc(std::abs(z) / std::sqrt(2.0)));
     }
   }
-  return least;
+  return min;
 }
 
-/// What each of `tests` must stay above so that all together err with probability `all` (Šidák 1967).
+/// Significance level of each of `tests` for which all together have the level `all` (Šidák 1967).
 double sidak(double all, double tests) {
   return 1 - std::pow(1 - all, 1 / tests);
 }
@@ -162,7 +145,7 @@ double sidak(double all, double tests) {
 TEST_CASE("Every pixel agrees with BSDF sampling alone: glass, coats, lamps, sky and sun together") {
   const RenderScene scene(everything(), overcast_with_a_wide_sun());
   const Camera view = camera({0.6, 1.1, 3.2}, {-0.1, 0.5, 0}, width, height, 60);
-  CHECK(least_p_value(rendered(scene, view, 64, 16), reference(scene, view, 4000)) >
+  CHECK(min_p_value(rendered(scene, view, 64, 16), reference(scene, view, 4000)) >
         sidak(0.001, 3 * width * height));
 }
 
@@ -170,7 +153,7 @@ TEST_CASE("The same with forty times the samples", "[slow]") {
   const RenderScene scene(everything(), overcast_with_a_wide_sun());
   const Camera view = camera({0.6, 1.1, 3.2}, {-0.1, 0.5, 0}, width, height, 60);
   const std::vector<Estimate> seen = rendered(scene, view, 64, 512), exact = reference(scene, view, 160000);
-  CHECK(least_p_value(seen, exact) > sidak(0.001, 3 * width * height));
+  CHECK(min_p_value(seen, exact) > sidak(0.001, 3 * width * height));
   double difference = 0, light = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     difference += (seen[i].mean - exact[i].mean).sum();

@@ -2,7 +2,7 @@
 
 #include "renderer/camera_path.h"
 #include "renderer/image_error.h"
-#include "tests/renderer/handmade.h"
+#include "tests/renderer/estimates.h"
 
 using namespace cps;
 using namespace cps::handmade;
@@ -43,23 +43,64 @@ TEST_CASE("Passes over parts of the samples add up to the picture") {
   CHECK_THROWS(render_samples(scene, view, options, {-1, 5}));
 }
 
-TEST_CASE("The variance layer is that of independent seeds' means, from above") {
+TEST_CASE("The variance layer is that of samples were they independent, less what stratifying them saves") {
+  // Let σ² be the variance of one sample and v that of a mean of n. The expected squared deviation of the n
+  // from their mean is n (σ² − v), so the layer holds (σ² − v)/(n − 1) on average. Pairs of seeds give σ² and
+  // v: half of the squared difference.
   const RenderScene scene(corner(), day());
-  constexpr int runs = 64, samples = 16;
-  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(24 * 16 * 3), squares = sum, claimed = sum;
-  for (int run = 0; run < runs; ++run) {
+  constexpr int pairs = 64, samples = 16, values = 24 * 16 * 3;
+  const auto rendered = [&](int count, int seed, OIIO::ImageBuf* variance) -> Eigen::ArrayXd {
+    const RenderOptions options{.samples = count, .seed = static_cast<std::uint64_t>(seed)};
+    const OIIO::ImageBuf image = render(scene, view, options, nullptr, variance);
+    return Eigen::Map<const Eigen::ArrayXf>(static_cast<const float*>(image.localpixels()), values)
+        .cast<double>();
+  };
+  const auto half_squared_difference = [&](int count, int pair) {
+    return 0.5 * (rendered(count, 1000 * count + 2 * pair, nullptr) -
+                  rendered(count, 1000 * count + 2 * pair + 1, nullptr))
+                     .square()
+                     .mean();
+  };
+  const Estimate sigma2 = estimate(
+      pairs, [&](int pair) { return Eigen::Array3d::Constant(half_squared_difference(1, pair)).eval(); });
+  const Estimate v = estimate(pairs, [&](int pair) {
+    return Eigen::Array3d::Constant(half_squared_difference(samples, pair)).eval();
+  });
+  const Estimate claimed = estimate(pairs, [&](int seed) {
     OIIO::ImageBuf variance;
-    const OIIO::ImageBuf image = render(
-        scene, view, {.samples = samples, .seed = static_cast<std::uint64_t>(run)}, nullptr, &variance);
-    const Eigen::Map<const Eigen::ArrayXf> mean(static_cast<const float*>(image.localpixels()), sum.size()),
-        v(static_cast<const float*>(variance.localpixels()), sum.size());
-    sum += mean.cast<double>();
-    squares += mean.cast<double>().square();
-    claimed += v.cast<double>() / runs;
-  }
-  const double seen = ((squares - sum.square() / runs) / (runs - 1)).mean();
-  CHECK(claimed.mean() > seen);
-  CHECK(claimed.mean() < 20 * seen);
+    rendered(samples, seed, &variance);
+    const Eigen::Map<const Eigen::ArrayXf> layer(static_cast<const float*>(variance.localpixels()), values);
+    return Eigen::Array3d::Constant(layer.cast<double>().mean()).eval();
+  });
+  const double difference = (samples - 1) * claimed.mean.x() - (sigma2.mean.x() - v.mean.x());
+  const double standard_error =
+      std::sqrt(std::pow(samples - 1, 2) * claimed.variance.x() + sigma2.variance.x() + v.variance.x());
+  CAPTURE(claimed.mean.x(), sigma2.mean.x(), v.mean.x(), standard_error);
+  CHECK(std::abs(difference) < 5 * standard_error);
+  CHECK(standard_error < 0.05 * sigma2.mean.x());  // or nothing would be shown
+  CHECK(claimed.mean.x() > v.mean.x());
+}
+
+TEST_CASE("A summary counts the rays of all paths") {
+  const RenderScene scene(corner(), day());
+  const RenderOptions options{.samples = 2};
+  RenderSummary summary;
+  render(scene, view, options, &summary);
+  const PathSource source = make_path_source(view, options);
+  std::uint64_t rays = 0;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x)
+      for (int sample = 0; sample < options.samples; ++sample) {
+        PathRecord record;
+        Path paths[packet_size];
+        paths[0] = camera_path(source, camera_pixel(source.rays, x, y), x, y, sample);
+        paths[0].record = &record;
+        trace_paths(scene, options.max_shaded_vertices, paths);
+        REQUIRE(paths[0].rays >= record.vertices.size());
+        rays += paths[0].rays;
+      }
+  CHECK(summary.rays == rays);
+  CHECK(summary.samples == 24 * 16 * 2);
 }
 
 TEST_CASE("A replayed path's contributions add up to its radiance, and to the picture") {

@@ -24,14 +24,14 @@ TEST_CASE("Only a nearly closed shell that faces inwards is inside out") {
   Mesh bowl = turned_inside_out(sphere(2, 0, 8));
   std::erase_if(bowl.triangles, [&](const Eigen::Vector3i& t) { return bowl.positions[t.x()].y() > 0.1f; });
   CHECK_FALSE(is_inside_out(bowl));
-  // However finely it is meshed, so that its rim hardly counts.
+  // So is a finely meshed one, whose rim is a small share of its edges.
   Mesh valley = turned_inside_out(sphere(2, 0, 200));
   std::erase_if(valley.triangles,
                 [&](const Eigen::Vector3i& t) { return valley.positions[t.x()].y() > -1.0f; });
   CHECK_FALSE(is_inside_out(valley));
 }
 
-// A drawn-looking model's outline hull left everything in it black.
+// The outline hulls of cartoon-style models once left everything inside them black.
 TEST_CASE("A shell turned inside out shows its far side and keeps no light from what is inside") {
   const Vec3 to_sun = Vec3(0.2f, 1, 0.1f).normalized();
   const Camera from_outside = camera({0, 6, 8}, {0, 0, 0}, 16, 16, 0.2);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// An equirectangular picture in a file that goes with it.
+/// An equirectangular picture and its temporary file.
 struct Picture {
   TemporaryFolder folder;
   std::filesystem::path file = folder.path / "sky.exr";

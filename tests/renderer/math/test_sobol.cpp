@@ -24,19 +24,19 @@ TEST_CASE("The second Sobol coordinate is the product of the index with its dire
 }
 
 TEST_CASE("Every power-of-two run of samples is a (0,m,2)-net in every pair") {
-  const auto padded = [](std::uint32_t set) { return [set](const Sampler& s) { return s.pair(set); }; };
+  const auto padded = [](std::uint32_t set) { return [set](const SobolSample& s) { return s.pair(set); }; };
   const auto joint = [](std::uint32_t which) {
-    return [which](const Sampler& s) { return s.joint_pair(which); };
+    return [which](const SobolSample& s) { return s.joint_pair(which); };
   };
-  const std::function<Eigen::Vector2f(const Sampler&)> pairs[] = {padded(0), padded(1), padded(17), joint(0),
-                                                                  joint(1)};
+  const std::function<Eigen::Vector2f(const SobolSample&)> pairs[] = {padded(0), padded(1), padded(17),
+                                                                      joint(0), joint(1)};
   for (const auto& pair : pairs) {
     for (int m : {4, 6, 8}) {
       for (std::uint32_t run = 0; run < 3; ++run) {
         for (int bits_x = 0; bits_x <= m; ++bits_x) {
           std::set<std::pair<int, int>> boxes;
           for (std::uint32_t i = 0; i < 1u << m; ++i) {
-            const Eigen::Vector2f p = pair(make_sampler(5, 3, 4, (run << m) + i));
+            const Eigen::Vector2f p = pair(make_sobol_sample(5, 3, 4, (run << m) + i));
             boxes.emplace(static_cast<int>(std::ldexp(p.x(), bits_x)),
                           static_cast<int>(std::ldexp(p.y(), m - bits_x)));
           }
@@ -58,8 +58,8 @@ TEST_CASE("Every run of 4^m samples is a (0,m,4)-net in base 4 in the joint pair
             const int d = m - a - b - c;
             std::set<std::array<int, 4>> boxes;
             for (std::uint32_t i = 0; i < samples; ++i) {
-              const Sampler sampler = make_sampler(6, 1, 2, run * samples + i);
-              const Eigen::Vector2f p = sampler.joint_pair(0), q = sampler.joint_pair(1);
+              const SobolSample sample = make_sobol_sample(6, 1, 2, run * samples + i);
+              const Eigen::Vector2f p = sample.joint_pair(0), q = sample.joint_pair(1);
               boxes.insert(
                   {static_cast<int>(std::ldexp(p.x(), 2 * a)), static_cast<int>(std::ldexp(p.y(), 2 * b)),
                    static_cast<int>(std::ldexp(q.x(), 2 * c)), static_cast<int>(std::ldexp(q.y(), 2 * d))});
@@ -77,8 +77,8 @@ TEST_CASE("Scrambles are uniform over pixels, and independent of each other") {
   std::vector<double> pair_counts(cells * cells), mixed_counts(cells * cells), joint_counts(cells * cells);
   const std::vector<double> expected(cells * cells, static_cast<double>(pixels) / (cells * cells));
   for (int i = 0; i < pixels; ++i) {
-    const Sampler sampler = make_sampler(7, i % 400, i / 400, 0);
-    const Eigen::Vector2f a = sampler.pair(2), b = sampler.pair(3), c = sampler.joint_pair(1);
+    const SobolSample sample = make_sobol_sample(7, i % 400, i / 400, 0);
+    const Eigen::Vector2f a = sample.pair(2), b = sample.pair(3), c = sample.joint_pair(1);
     ++pair_counts[static_cast<int>(a.x() * cells) * cells + static_cast<int>(a.y() * cells)];
     ++mixed_counts[static_cast<int>(a.x() * cells) * cells + static_cast<int>(b.x() * cells)];
     ++joint_counts[static_cast<int>(c.x() * cells) * cells + static_cast<int>(c.y() * cells)];
@@ -89,14 +89,14 @@ TEST_CASE("Scrambles are uniform over pixels, and independent of each other") {
 }
 
 TEST_CASE("Pairs of one pixel do not move together") {
-  // Padding would fail if two pairs visited their points in the same order: then x of one tells x of the
+  // Padding would fail if two pairs visited their points in the same order: x of one would determine x of the
   // other.
   constexpr int cells = 8, samples = 4096;
   std::vector<double> counts(cells * cells);
   for (int i = 0; i < samples; ++i) {
-    const Sampler sampler = make_sampler(11, 20, 30, static_cast<std::uint32_t>(i));
-    ++counts[static_cast<int>(sampler.pair(1).x() * cells) * cells +
-             static_cast<int>(sampler.pair(2).x() * cells)];
+    const SobolSample sample = make_sobol_sample(11, 20, 30, static_cast<std::uint32_t>(i));
+    ++counts[static_cast<int>(sample.pair(1).x() * cells) * cells +
+             static_cast<int>(sample.pair(2).x() * cells)];
   }
   CHECK(chi_squared_p_value(counts, std::vector<double>(cells * cells, samples / (cells * cells))) > 1e-4);
 }

@@ -25,8 +25,8 @@ double worst(const Color& seen, const Color& exact) {
 TEST_CASE("Clear glass lets 96 % pass straight on, less at a slant, tinted by its colour") {
   const Material tinted = glass({0.9f, 0.5f, 0.2f, 1});
   CHECK(worst(through(tinted, 1), Color(0.9f, 0.5f, 0.2f) * 0.96f) < 0.003);
-  CHECK(through(tinted, 0.1f).x() < 0.5f * 0.9f);
-  CHECK(through(tinted, 0.1f).x() > 0.3f * 0.9f);
+  // Schlick's reflectance at cosine 0.1; the table that stands for it is exact to 0.003.
+  CHECK(through(tinted, 0.1f).x() == Approx(0.9 * (1 - (0.04 + 0.96 * std::pow(0.9, 5)))).margin(0.003));
 }
 
 TEST_CASE("What lies behind panes is seen through them in their colours") {
@@ -71,7 +71,7 @@ TEST_CASE("Packets of shadow rays are tinted once, however they spread") {
     Color together[packet_size];
     for (std::uint32_t i = 0; i < packet_size; ++i) {
       rays[i].origin = {0.3f, 0, -0.7f};
-      rays[i].direction = sun.sample(make_sampler(1, 2, 3, packet * packet_size + i).pair(0));
+      rays[i].direction = sun.sample(make_sobol_sample(1, 2, 3, packet * packet_size + i).pair(0));
       active[i] = i != packet % packet_size;
     }
     built.bvh.transmittance_coherent(rays, active, together);

@@ -9,7 +9,7 @@ using namespace cps::handmade;
 
 namespace {
 
-/// A floor and a ball that lies 2 m before the car's axle, 1 m up in its frame.
+/// A floor and a ball, 2 m ahead of the vehicle frame's origin and 1 m above it.
 Scene floor_and_ball(const Eigen::Affine3f& world_from_ball, bool rides) {
   Scene scene;
   scene.materials = {lambert({0.5f, 0.5f, 0.5f, 1})};

@@ -94,19 +94,70 @@ TEST_CASE("No shading normal hides from the viewer or reflects him into the surf
 }
 
 TEST_CASE("A pixel's footprint picks the mip level whose texels it covers") {
+  // A chessboard of squares of 16 texels: pure in a square's middle up to level 4, grey from level 5 on, and
+  // in between in proportion. 4 m hold 512 texels.
   Scene scene;
-  Texture t;
-  t.name = "levels";
-  t.width = t.height = 256;
-  t.rgba.assign(4 * 256 * 256, 255);
-  scene.textures.push_back(t);
+  Texture board;
+  board.name = "chessboard";
+  board.width = board.height = 256;
+  for (int i = 0; i < 256 * 256; ++i) {
+    const auto value = static_cast<std::uint8_t>((i % 256 / 16 + i / 256 / 16) % 2 * 255);
+    board.rgba.insert(board.rgba.end(), {value, value, value, 255});
+  }
+  scene.textures.push_back(board);
   scene.materials = {material({1, 1, 1, 1})};
   scene.materials[0].base_color_texture.texture = 0;
-  scene.materials[0].base_color_texture.uv_transform.linear() *= 2;  // 4 m hold 512 texels
+  scene.materials[0].base_color_texture.uv_transform.linear() *= 2;
   add(scene, quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}));
-  const TextureLookup& lookup =
-      RenderScene(scene, constant_light(1)).materials.surfaces[0].base_color_texture;
-  CHECK(lookup.log2_texels_per_uv == Approx(9));
+  const RenderScene built(scene, constant_light(1));
+  const auto seen_level = [&](double slant_deg, double width_texels) {
+    Ray ray = towards_origin(slant_deg);
+    const Vec3 square_middle(8 / 128.0f, 8 / 128.0f, 0);
+    ray.origin = square_middle - 3 * ray.direction;
+    const Surface surface =
+        make_surface(built.placed, ray, built.bvh.intersect(ray), static_cast<float>(width_texels / 128), 0);
+    const double white = std::abs(surface.base_color.x() - 0.5f) * 2;  // 1 at level 4, 0 at level 5
+    return 5 - white;
+  };
+  // 8 bits hold the grey of level 5.
+  CHECK(seen_level(0, std::exp2(4.0)) == Approx(4).margin(1.0 / 255));
+  CHECK(seen_level(0, std::exp2(4.25)) == Approx(4.25).margin(1.0 / 255));
+  CHECK(seen_level(0, std::exp2(4.75)) == Approx(4.75).margin(1.0 / 255));
+  // Seen at a slant the footprint is longer; a lookup averages a square of its area.
+  CHECK(seen_level(60, std::exp2(4.0)) == Approx(4.5).margin(1.0 / 255));
+}
+
+TEST_CASE("A texture is read by the set of coordinates that its slot names") {
+  // Set 0 shows the texture's left texel, set 1 the right one.
+  Scene scene;
+  Texture halves;
+  halves.name = "halves";
+  halves.width = 2;
+  halves.height = 1;
+  halves.nearest = true;
+  halves.rgba = {255, 0, 0, 255, 0, 0, 255, 51};
+  scene.textures.push_back(halves);
+  Mesh mesh = quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  mesh.uv0.assign(4, {0.25f, 0.5f});
+  mesh.uv1.assign(4, {0.75f, 0.5f});
+  scene.materials = {material({1, 1, 1, 1})};
+  scene.materials[0].alpha_mode = AlphaMode::mask;
+  scene.materials[0].base_color_texture.texture = 0;
+  add(scene, mesh);
+  const Ray ray = towards_origin(0);
+  for (int set : {0, 1}) {
+    CAPTURE(set);
+    scene.materials[0].base_color_texture.uv_set = set;
+    scene.materials[0].alpha_cutoff = 0;
+    const RenderScene built(scene, constant_light(1));
+    const Hit hit = built.bvh.intersect(ray);
+    REQUIRE(hit);
+    const Geometry& geometry = built.placed.geometries[0];
+    CHECK(make_surface(built.placed, ray, hit, 0.001f, 0).base_color.x() == (set == 0 ? 1 : 0));
+    CHECK(geometry.alpha(hit.triangle, hit.u, hit.v) == Approx(set == 0 ? 1 : 0.2));
+    scene.materials[0].alpha_cutoff = 0.5f;  // holes are cut by the same set
+    CHECK(static_cast<bool>(RenderScene(scene, constant_light(1)).bvh.intersect(ray)) == (set == 0));
+  }
 }
 
 TEST_CASE("Rays that leave a surface do not meet it again, however large the coordinates") {

@@ -4,8 +4,8 @@
 
 namespace cps {
 
-/// CPU seconds that a clock of clock_gettime() has counted: CLOCK_THREAD_CPUTIME_ID for this thread,
-/// CLOCK_PROCESS_CPUTIME_ID for all.
+/// CPU seconds used so far: by this thread (CLOCK_THREAD_CPUTIME_ID) or by all threads of the process
+/// (CLOCK_PROCESS_CPUTIME_ID).
 inline double cpu_s(clockid_t clock) {
   timespec now{};
   clock_gettime(clock, &now);
