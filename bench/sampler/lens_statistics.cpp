@@ -12,7 +12,7 @@
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/lenses/sequential_draw.h"
 
-/// The tables and pictures of docs/lenses.md: lens_statistics docs/pictures
+/// The tables and pictures of docs/benchmarks/lens-draws.md and docs/lenses.md: lens_statistics docs/pictures
 namespace {
 
 using namespace cps;

@@ -16,7 +16,7 @@
 #include "scenes/gltf_import.h"
 #include "sensor/develop.h"
 
-/// The tables and pictures of docs/cities.md: what a camera like KITTI's sees of each style, beside real
+/// The tables and pictures of docs/cities.md and docs/benchmarks/cities.md: what a camera like KITTI's sees of each style, beside real
 /// frames of that size. `view_statistics FOLDER VIEWS [FRAME.png …]` makes the cities, a sheet of 48 views of
 /// each style and the diagrams in FOLDER.
 namespace {

@@ -16,7 +16,7 @@ namespace cps {
 inline constexpr double kernel_support = 3.1622776601683795;  // √10 standard deviations
 
 /// Narrowest kernel, source pixels. Below it a footprint holds so few samples that the image ripples with the
-/// phase between the two pixel grids: by .002 px at .44, .06 px at .38 (docs/lens.md).
+/// phase between the two pixel grids: by .002 px at .44, .06 px at .38 (docs/benchmarks/lens.md).
 inline constexpr double narrowest_sigma_px = 0.42;
 
 /// For each pixel of an output tile: where the ray through its centre meets the source image, and the kernel

@@ -2,11 +2,27 @@
 # Makes docs/pictures/rooms.svg from the link lists of the rooms' CMakeLists.txt. Run it in the repository's root:
 #   docs/pictures/make/rooms.sh > docs/pictures/rooms.svg
 # Needs Debian's graphviz. An arrow runs from a room to one that uses it; arrows that follow from others are left out.
+#   docs/pictures/make/rooms.sh --arrows    lists all arrows, "used user" a line
 set -euo pipefail
 
 rooms="numbers random files distortion sensor scenes renderer sampler dataset production trainer apps"
-node() { printf '%s [label=<<b>%s/</b><br/><font point-size="11" color="#444444">%s</font>>]\n' "$1" "$1" "$2"; }
 
+arrows() {
+  local room used
+  for room in $rooms; do
+    find "$room" -name CMakeLists.txt -exec cat {} + | sed 's/#.*//' | grep -oE 'cps_[a-z]+' | sed 's/^cps_//; s/^city$/scenes/' | sort -u |
+      while read -r used; do
+        case " $rooms " in *" $used "*) [ "$used" = "$room" ] || echo "$used $room" ;; esac
+      done
+  done
+}
+
+node() { printf '  %s [label=<<b>%s/</b><br/><font point-size="11" color="#444444">%s</font>>]\n' "$1" "$1" "$2"; }
+
+if [ "${1:-}" = --arrows ]; then
+  arrows
+  exit
+fi
 {
   echo 'digraph rooms {'
   echo '  rankdir=BT; ranksep=0.32; nodesep=0.28; bgcolor=white;'
@@ -25,11 +41,6 @@ node() { printf '%s [label=<<b>%s/</b><br/><font point-size="11" color="#444444"
   node trainer "networks, training, evaluation"
   node apps "cps, cps-train: one file a verb"
   echo '  { rank=same; numbers; random; files }'
-  for room in $rooms; do
-    find "$room" -name CMakeLists.txt -exec cat {} + | sed 's/#.*//' | grep -oE 'cps_[a-z]+' | sed 's/^cps_//; s/^city$/scenes/' | sort -u |
-      while read -r used; do
-        [ "$used" != "$room" ] && case " $rooms " in *" $used "*) echo "  $used -> $room" ;; esac || true
-      done
-  done
+  arrows | sed 's/\(.*\) \(.*\)/  \1 -> \2/'
   echo '}'
-} | tred | dot -Tsvg | perl -0pe 's/<!--.*?-->\n//gs; s/<title>.*?<\/title>\n//g; s/<!DOCTYPE.*?>\n//s'
+} | tred | dot -Tsvg | perl -0pe 's/<!--.*?-->\n//gs; s/<!DOCTYPE.*?>\n//s'
