@@ -9,7 +9,7 @@ namespace cps::city {
 void add_dormers(Mesh& mesh, const Footprint& f, double foot, double slope, double start, const Materials& m,
                  Draws& draws) {
   const double width = draws.uniform(1.2, 1.7), spacing = draws.uniform(3.2, 5.5), height = 1.45;
-  const double sill = foot + slope * start;  // where the dormer's front stands on the slope
+  const double sill = foot + slope * start;  // height of the slope at the dormer's front
   for (std::size_t i = 1; i < f.front.size(); ++i) {
     const Vec2 a = f.front[i - 1], b = f.front[i], along = (b - a).normalized(), in = left_of(along);
     const double room = (b - a).norm() - 5, deep = height / slope + 0.25;

@@ -9,7 +9,7 @@ namespace cps::city {
 namespace {
 
 constexpr double near_street_m = 8;
-constexpr double door_width_m = 1.15, door_height_m = 2.5;  // with the light above the leaf
+constexpr double door_width_m = 1.15, door_height_m = 2.5;  // including the window above the leaf
 
 std::vector<Opening> upper_storey(double width, int bays, double floor, double ceiling,
                                   const FacadeStyle& style) {
@@ -48,7 +48,7 @@ void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceil
   const MaterialId color = draws.one_of(m.shop_sign);
   add_bar(mesh.surfaces[color], frame, 0.25, width - 0.25, ceiling - 0.6, ceiling - 0.08, 0, 0.09);
   if (!draws.chance(0.4)) return;
-  // An awning, let out over the pavement.
+  // An extended awning over the pavement.
   const double out = draws.uniform(0.9, 1.4), top = ceiling - 0.65, front = top - 0.55;
   Surface& cloth = mesh.surfaces[m.awning];
   const auto quad = [&](double u0, double u1, double z0, double w0, double z1, double w1) {
@@ -56,12 +56,12 @@ void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceil
              {frame.point(u0, z1, w1)});
   };
   quad(0.3, width - 0.3, front, out, top, 0.02);
-  quad(width - 0.3, 0.3, front, out, top, 0.02);  // seen from below
+  quad(width - 0.3, 0.3, front, out, top, 0.02);  // the underside
   quad(0.3, width - 0.3, front - 0.2, out, front, out);
   quad(width - 0.3, 0.3, front - 0.2, out, front, out);
 }
 
-/// A slab with a railing in front of a window.
+/// Adds a balcony, a slab with a railing, in front of a window.
 void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, double floor,
                  const Materials& m) {
   constexpr double out = 1.15, railing = 1.0;

@@ -5,17 +5,17 @@
 
 #include "scenes/city/buildings/opening.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
 
-constexpr double buried_m = 0.3;  ///< how far below the ground foundations reach
+constexpr double buried_m = 0.3;  ///< depth of foundations below the ground
 constexpr double highest_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m = 3;
 
 double lowest_along(const Vec2& from, const Vec2& to, const Terrain& terrain) {
   double lowest = terrain.height_m(to);
-  for (const Vec2& p : subdivided({from, to}, longest_road_edge_m))
+  for (const Vec2& p : subdivided({from, to}, max_road_edge_m))
     lowest = std::min(lowest, terrain.height_m(p));
   return lowest;
 }
@@ -31,7 +31,7 @@ void add_walls_below(Surface& surface, const Polygon& ring, double tile_m, doubl
   }
 }
 
-/// The frame of a doorway: u along the wall from its middle, w out of the wall.
+/// The frame of a doorway: u along the wall from the doorway's middle, w outwards.
 WallFrame frame_of(const Doorway& doorway) {
   return {doorway.middle, left_of(doorway.out), doorway.out};
 }

@@ -4,7 +4,7 @@
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/buildings/opening.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -37,7 +37,7 @@ HallStyle draw_style(const Materials& m, Draws& draws) {
   return s;
 }
 
-/// Gates and a door in the lower part, in bays of equal width.
+/// Gates and one door in bays of equal width.
 std::vector<Opening> ground_openings(double width, bool with_gates, Draws& draws) {
   std::vector<Opening> openings;
   const double floor = kerb_height_m;
@@ -74,7 +74,7 @@ void add_hall_wall(Building& result, const Vec2& from, const Vec2& to, const Hal
   Surface& wall = mesh.surfaces[s.wall.material];
   const std::vector<Opening> ground = ground_openings(width, with_gates, draws);
   add_pierced_wall(wall, frame, width, kerb_height_m, band, ground, s.wall.tile_m);
-  double u = 0;  // the plinth, between the gates
+  double u = 0;  // the plinth runs between the gates
   Surface& plinth = mesh.surfaces[m.concrete[0].material];
   for (const Opening& o : ground) {
     result.doorways.push_back(doorway_of(frame, o));

@@ -24,7 +24,8 @@ void add_panel(Surface& surface, const WallFrame& f, double u0, double u1, doubl
 
 namespace {
 
-/// The faces around a rectangle between two depths, facing away from its middle (`outwards`) or towards it.
+/// Adds the faces around a rectangle between two depths, facing away from its middle (`outwards`) or towards
+/// it.
 void add_rim(Surface& surface, const WallFrame& f, double u0, double u1, double z0, double z1, double w0,
              double w1, bool outwards, double tile_m, unsigned faces = all_faces) {
   const double a = outwards ? w0 : w1, b = outwards ? w1 : w0;
@@ -54,10 +55,10 @@ void add_bar(Surface& surface, const WallFrame& f, double u0, double u1, double 
 
 namespace {
 
-/// Sills and thresholds lie this much above the lower side of the hole, which would else be the same face.
+/// Height of sills and thresholds above the lower side of the hole, which would otherwise be coplanar.
 constexpr double sill_rise_m = 0.012;
 
-/// The flat ring between two rectangles; its corners are shared.
+/// Adds the flat ring between the opening's rectangle and that inset by `bar`, with shared vertices.
 void add_ring(Surface& surface, const WallFrame& f, const Opening& o, double bar, double w) {
   const auto first = static_cast<std::uint32_t>(surface.positions.size());
   const Eigen::Vector3f normal = lift(f.out, 0).cast<float>();
@@ -76,7 +77,7 @@ void add_ring(Surface& surface, const WallFrame& f, const Opening& o, double bar
   }
 }
 
-/// A frame of `bar` metres around the opening with glass behind, both set back into the wall.
+/// Adds a frame `bar` metres wide around the opening and a pane behind it, both set back into the wall.
 void add_sash(Mesh& mesh, const WallFrame& f, const Opening& o, double bar, double back, MaterialId frame,
               MaterialId pane, bool deep) {
   Surface& s = mesh.surfaces[frame];
@@ -92,7 +93,7 @@ void add_window(Mesh& mesh, const WallFrame& f, const Opening& o, const FacadeSt
   const bool curtained = draws.chance(style.curtain_share);
   add_sash(mesh, f, o, bar, back, style.frame, curtained ? m.curtained_glass : m.glass,
            detail == Detail::near_street);
-  if (draws.chance(style.shutter_share)) {  // a roller shutter, let down part of the way
+  if (draws.chance(style.shutter_share)) {  // a roller shutter, partly lowered
     const double down = draws.chance(0.3) ? 1.0 : draws.uniform(0.15, 0.6);
     add_bar(mesh.surfaces[m.shutter], f, o.u0, o.u1, o.z1 - down * (o.z1 - o.z0), o.z1, -back, -back + 0.03,
             1, lower_face);

@@ -3,9 +3,9 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/kerbed_island.h"
 #include "scenes/city/streets/surface/road_markings.h"
-#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {
@@ -27,7 +27,7 @@ void add_island(Mesh& mesh, const Polyline& middle, double width_m, MaterialId c
   add_strip(mesh.surfaces[cover], side(inner), side(-inner), {kerb_height_m, kerb_height_m, tile_m});
 }
 
-/// Where the median begins, from the end of the segment's own carriageway.
+/// Distance from the end of the segment's own carriageway to the median.
 double median_from_m(const Approach& approach) {
   constexpr double behind_line_m = 0.6, beside_crossing_m = 0.3;
   return approach.crossing ? approach.crossing_from_m + approach.crossing_length_m + beside_crossing_m
