@@ -20,10 +20,10 @@ void add_dormers(Mesh& mesh, const Footprint& f, double foot, double slope, doub
       add_box(mesh.surfaces[m.roof_metal], middle - in * 0.1, along, width / 2 + 0.12, deep / 2,
               sill + height, sill + height + 0.1, 1, true);
       const WallFrame frame{middle - in * (deep / 2) - along * (width / 2), along, -in};
-      add_bar(mesh.surfaces[m.frame_white], frame, 0.1, width - 0.1, sill + 0.15, sill + height - 0.1, 0,
+      add_bar(mesh.surfaces[m.frame_white], frame, {0.1, width - 0.1, sill + 0.15, sill + height - 0.1}, 0,
               0.03);
       for (const auto& [u0, u1] : {std::pair{0.18, width / 2 - 0.03}, {width / 2 + 0.03, width - 0.18}})
-        add_panel(mesh.surfaces[m.glass], frame, u0, u1, sill + 0.23, sill + height - 0.18, 0.034);
+        add_panel(mesh.surfaces[m.glass], frame, {u0, u1, sill + 0.23, sill + height - 0.18}, 0.034);
     }
   }
 }
@@ -35,11 +35,11 @@ void add_gable_window(Mesh& mesh, const Footprint& f, bool at_end, double eaves,
   const WallFrame frame = at_end ? make_wall_frame(near, far) : make_wall_frame(far, near);
   const double middle = f.depth_m / 2, half = 0.5, bottom = eaves + 0.35;
   const double top = std::min(bottom + 1.3, eaves + rise * 0.62);
-  add_bar(mesh.surfaces[m.frame_white], frame, middle - half - 0.08, middle + half + 0.08, bottom - 0.08,
-          top + 0.08, 0, 0.035);
+  add_bar(mesh.surfaces[m.frame_white], frame,
+          {middle - half - 0.08, middle + half + 0.08, bottom - 0.08, top + 0.08}, 0, 0.035);
   for (const double side : {-1.0, 1.0}) {
     const double a = middle + side * 0.03, b = middle + side * half;
-    add_panel(mesh.surfaces[m.glass], frame, std::min(a, b), std::max(a, b), bottom, top, 0.039);
+    add_panel(mesh.surfaces[m.glass], frame, {std::min(a, b), std::max(a, b), bottom, top}, 0.039);
   }
 }
 

@@ -46,7 +46,7 @@ std::vector<Opening> ground_storey(double width, int bays, double floor, double 
 void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceiling, const Materials& m,
                    Draws& draws) {
   const MaterialId color = draws.one_of(m.shop_sign);
-  add_bar(mesh.surfaces[color], frame, 0.25, width - 0.25, ceiling - 0.6, ceiling - 0.08, 0, 0.09);
+  add_bar(mesh.surfaces[color], frame, {0.25, width - 0.25, ceiling - 0.6, ceiling - 0.08}, 0, 0.09);
   if (!draws.chance(0.4)) return;
   // An extended awning over the pavement.
   const double out = draws.uniform(0.9, 1.4), top = ceiling - 0.65, front = top - 0.55;
@@ -66,15 +66,15 @@ void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, doub
                  const Materials& m) {
   constexpr double out = 1.15, railing = 1.0;
   const double u0 = window.u0 - 0.45, u1 = window.u1 + 0.45;
-  add_bar(mesh.surfaces[m.concrete[0].material], frame, u0, u1, floor - 0.16, floor, 0, out, 3);
+  add_bar(mesh.surfaces[m.concrete[0].material], frame, {u0, u1, floor - 0.16, floor}, 0, out, 3);
   Surface& bars = mesh.surfaces[m.pole];
-  add_bar(bars, frame, u0, u1, floor + railing - 0.05, floor + railing, out - 0.06, out - 0.01);
+  add_bar(bars, frame, {u0, u1, floor + railing - 0.05, floor + railing}, out - 0.06, out - 0.01);
   for (const double u : {u0, u1 - 0.04})
-    add_bar(bars, frame, u, u + 0.04, floor + railing - 0.05, floor + railing, 0, out - 0.01);
+    add_bar(bars, frame, {u, u + 0.04, floor + railing - 0.05, floor + railing}, 0, out - 0.01);
   const int posts = static_cast<int>((u1 - u0) / 0.18);
   for (int i = 0; i <= posts; ++i) {
     const double u = u0 + (u1 - u0 - 0.025) * i / posts;
-    add_bar(bars, frame, u, u + 0.025, floor, floor + railing - 0.05, out - 0.05, out - 0.025, 1,
+    add_bar(bars, frame, {u, u + 0.025, floor, floor + railing - 0.05}, out - 0.05, out - 0.025, 1,
             left_face | right_face);
   }
 }
@@ -114,7 +114,7 @@ std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyl
       add_shop_sign(mesh, frame, width, ceiling, materials, draws);
   }
   if (wall.top > wall.eaves)
-    add_panel(mesh.surfaces[style.wall.material], frame, 0, width, wall.eaves, wall.top, 0,
+    add_panel(mesh.surfaces[style.wall.material], frame, {0, width, wall.eaves, wall.top}, 0,
               style.wall.tile_m);
   return doorway;
 }
@@ -122,8 +122,8 @@ std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyl
 void add_blank_wall(Mesh& mesh, const Wall& wall, const WallMaterial& material) {
   const double width = (wall.to - wall.from).norm();
   if (width < 1e-3) return;
-  add_panel(mesh.surfaces[material.material], make_wall_frame(wall.from, wall.to), 0, width, wall.bottom,
-            wall.top, 0, material.tile_m);
+  add_panel(mesh.surfaces[material.material], make_wall_frame(wall.from, wall.to),
+            {0, width, wall.bottom, wall.top}, 0, material.tile_m);
 }
 
 }  // namespace cps::city

@@ -26,8 +26,8 @@ void add_walls_below(Surface& surface, const Polygon& ring, double tile_m, doubl
     const Vec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
     const double bottom = lowest_along(from, to, terrain) - level_m - buried_m;
     if ((to - from).norm() > 1e-3 && bottom < 0)
-      add_panel(surface, make_wall_frame(from, to), 0, (to - from).norm(), kerb_height_m + bottom,
-                kerb_height_m, 0, tile_m);
+      add_panel(surface, make_wall_frame(from, to),
+                {0, (to - from).norm(), kerb_height_m + bottom, kerb_height_m}, 0, tile_m);
   }
 }
 
@@ -41,7 +41,7 @@ void add_steps(Surface& surface, const Doorway& doorway, double drop_m, double t
   const double half = doorway.width_m / 2 + 0.25, bottom = kerb_height_m - drop_m - buried_m;
   double from = 0, to = landing_m;
   for (int k = 0; k < steps; ++k) {
-    add_bar(surface, frame_of(doorway), -half, half, bottom, kerb_height_m - drop_m * k / steps, from, to,
+    add_bar(surface, frame_of(doorway), {-half, half, bottom, kerb_height_m - drop_m * k / steps}, from, to,
             tile_m, left_face | right_face | upper_face);
     from = to;
     to += tread_m;

@@ -14,6 +14,11 @@ struct WallFrame {
   Vec3 point(double u, double z, double w) const { return lift(origin + along * u + out * w, z); }
 };
 
+/// A rectangle of a wall: from u0 to u1 along it and from z0 to z1 in height, metres.
+struct WallRectangle {
+  double u0, u1, z0, z1;
+};
+
 WallFrame make_wall_frame(const Vec2& from, const Vec2& to);
 
 /// A rectangular opening.
@@ -26,7 +31,7 @@ struct Opening {
 Doorway doorway_of(const WallFrame& frame, const Opening& opening);
 
 /// Adds a rectangle `w` metres out of the wall, facing outwards.
-void add_panel(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w,
+void add_panel(Surface& surface, const WallFrame& frame, const WallRectangle& rectangle, double w,
                double tile_m = 1);
 
 /// The sides of a bar. Sides that touch something else need no face.
@@ -40,8 +45,8 @@ enum Faces : unsigned {
 };
 
 /// Adds a bar that projects from the wall from w0 to w1: its front and the sides in `faces`.
-void add_bar(Surface& surface, const WallFrame& frame, double u0, double u1, double z0, double z1, double w0,
-             double w1, double tile_m = 1, unsigned faces = all_faces);
+void add_bar(Surface& surface, const WallFrame& frame, const WallRectangle& rectangle, double w0, double w1,
+             double tile_m = 1, unsigned faces = all_faces);
 
 /// Adds a stretch of wall with holes for the openings, which are sorted from left to right.
 void add_pierced_wall(Surface& surface, const WallFrame& frame, double width, double bottom, double top,

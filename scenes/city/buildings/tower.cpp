@@ -65,8 +65,8 @@ double add_shaft(Mesh& mesh, const Footprint& f, double bottom, int storeys, con
     add_curtain_wall(mesh, from, to, bottom, storeys, style);
     const WallFrame frame = make_wall_frame(from, to);
     const double out = style.band_depth_m;
-    add_bar(mesh.surfaces[style.solid.material], frame, 0, (to - from).norm() + out, top - 0.1,
-            top + parapet_m, 0, out, style.solid.tile_m);
+    add_bar(mesh.surfaces[style.solid.material], frame,
+            {0, (to - from).norm() + out, top - 0.1, top + parapet_m}, 0, out, style.solid.tile_m);
   }
   RoofPlan roof;
   roof.kind = RoofKind::flat;
