@@ -5,7 +5,7 @@
 /// Noise that tiles: one tile is u, v in [0, 1).
 namespace cps::city {
 
-/// Gradient noise (Perlin 2002), about [−1, 1], with `period` lattice cells per tile.
+/// Gradient noise (Perlin 2002), about [−1, 1], with `period` lattice cells along each side of the tile.
 double gradient_noise(Stream stream, double u, double v, int period);
 
 /// A sum of `octaves` gradient noises, each at twice the frequency and half the amplitude of the one before;

@@ -11,7 +11,7 @@ namespace cps::city {
 namespace {
 
 constexpr double buried_m = 0.3;  ///< depth of foundations below the ground
-constexpr double highest_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m = 3;
+constexpr double max_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m = 3;
 
 double lowest_along(const Vec2& from, const Vec2& to, const Terrain& terrain) {
   double lowest = terrain.height_m(to);
@@ -37,7 +37,7 @@ WallFrame frame_of(const Doorway& doorway) {
 }
 
 void add_steps(Surface& surface, const Doorway& doorway, double drop_m, double tile_m) {
-  const int steps = static_cast<int>(std::ceil(drop_m / highest_step_m));
+  const int steps = static_cast<int>(std::ceil(drop_m / max_step_m));
   const double half = doorway.width_m / 2 + 0.25, bottom = kerb_height_m - drop_m - buried_m;
   double from = 0, to = landing_m;
   for (int k = 0; k < steps; ++k) {

@@ -70,12 +70,12 @@ Polyline turn(const LaneEnd& from, const LaneEnd& to, double max_radius_m) {
 
 /// Removes points near the ends where an offset around a bend folds the lane back.
 void drop_folds(Polyline& line) {
-  constexpr double shortest_m = 1;
+  constexpr double min_length_m = 1;
   while (line.size() > 2 && (line[1] - line[0]).dot(line[2] - line[1]) <= 0) line.erase(line.begin() + 1);
-  while (line.size() > 2 && (line[1] - line[0]).norm() < shortest_m) line.erase(line.begin() + 1);
+  while (line.size() > 2 && (line[1] - line[0]).norm() < min_length_m) line.erase(line.begin() + 1);
   const auto last = [&](std::size_t i) { return line[line.size() - 1 - i]; };
   while (line.size() > 2 && (last(0) - last(1)).dot(last(1) - last(2)) <= 0) line.erase(line.end() - 2);
-  while (line.size() > 2 && (last(0) - last(1)).norm() < shortest_m) line.erase(line.end() - 2);
+  while (line.size() > 2 && (last(0) - last(1)).norm() < min_length_m) line.erase(line.end() - 2);
 }
 
 class JunctionLinks {

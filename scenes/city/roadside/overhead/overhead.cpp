@@ -12,7 +12,7 @@ namespace cps::city {
 namespace {
 
 constexpr double mast_inset_m = 0.45, telegraph_spacing_m = 34, span_spacing_m = 30, tram_spacing_m = 27,
-                 longest_span_m = 60;
+                 max_span_m = 60;
 constexpr double crossarm_m = 7.9, insulator_m = 0.16, telephone_m = 6.6, span_height_m = 7.4;
 constexpr double wires_m[] = {-0.7, -0.3, 0.3, 0.7};  ///< positions along the crossarm
 constexpr double wire_radius_m = 0.007, cable_radius_m = 0.013;
@@ -54,7 +54,7 @@ Vec3 on_mast(const Mast& mast, double out, double height) {
 
 void add_telegraph_span(Mesh& mesh, const Materials& m, const Mast& from, const Mast& to) {
   const double span = (to.position - from.position).norm();
-  if (span > longest_span_m) return;
+  if (span > max_span_m) return;
   const double sag = sag_m * span * span / (telegraph_spacing_m * telegraph_spacing_m);
   Surface& cable = mesh.surfaces[m.cable];
   for (const double x : wires_m)

@@ -53,7 +53,7 @@ Polygon refuge_nose(const StreetNetwork& network, int segment, bool at_end, std:
 }
 
 Mesh median(const StreetNetwork& network, int street, const Materials& m, std::uint64_t seed) {
-  constexpr double shortest_m = 6;
+  constexpr double min_length_m = 6;
   Mesh mesh{"median " + network.streets[street].name, {}};
   const StreetProfile& p = network.streets[street].profile;
   if (p.median_m == 0) return mesh;
@@ -64,7 +64,7 @@ Mesh median(const StreetNetwork& network, int street, const Materials& m, std::u
     const double from = segment.cut_from + median_from_m(approach(network, s, false, seed));
     const double to =
         length(segment.centre) - segment.cut_to - median_from_m(approach(network, s, true, seed));
-    if (to - from < shortest_m) continue;
+    if (to - from < min_length_m) continue;
     for (const bool at_end : {false, true})
       if (const Polygon nose = refuge_nose(network, s, at_end, seed); !nose.empty())
         add_kerbed_island(mesh, nose, m.paving, paving_tile_m, m);
