@@ -52,9 +52,8 @@ bool CityOptions::is_valid(std::string* why) const {
 
 std::string CitySummary::brief() const {
   return fmt::format(
-      "{}: {} streets, {} junctions, {} blocks, {} buildings, {} trees, {} parked cars, {} vehicles in "
-      "traffic, "
-      "{} people, {} pieces of street furniture\n"
+      "{}: {} streets, {} junctions, {} blocks, {} buildings, {} trees, {} parked cars, "
+      "{} vehicles in traffic, {} people, {} pieces of street furniture\n"
       "{} lanes, {:.1f} km in all\n"
       "{:.2f} M triangles ({:.2f} M with instances), {:.1f} MB",
       to_string(style), streets, junctions, blocks, buildings, trees, cars, in_traffic, people, furniture,
@@ -133,8 +132,8 @@ void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const
     const WallMaterial cover = ground_material(materials, pad.kind);
     add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m);
   }
-  refine(ground.surfaces[materials.gutter],
-         max_road_edge_m);  // because it lies on the asphalt, which is refined too
+  // The gutter lies on the asphalt, so it is refined as finely.
+  refine(ground.surfaces[materials.gutter], max_road_edge_m);
   for (auto& [material, piece] : ground.surfaces) {
     if (material == materials.kerb || material == materials.gutter) continue;
     refine(piece, max_block_edge_m);  // enough vertices for the weathering colours

@@ -59,8 +59,8 @@ class Furnisher {
     const int thing = 10 * side.segment + side.reversed;
     if (kerb.bus_stop) add_bus_stop(kerb, Draws{substream(stream, 13000 + thing)});
     Draws draws{substream(stream, 5000 + thing)};
-    if (!has_wires &&
-        overhead.kind != OverheadKind::span)  // else lamps hang from the wires or from their masts
+    // With wires, lamps hang from the wires or from their masts.
+    if (!has_wires && overhead.kind != OverheadKind::span)
       light(kerb, profile.lanes_forward + profile.lanes_backward > 2, draws);
     if (kerb.meets_traffic) sign(kerb, draws);
     if (!has_wires) plant_avenue(kerb, draws);
@@ -243,8 +243,8 @@ std::vector<PlacedModel> furnish(const StreetNetwork& network, int block, const 
   furnisher.furnish_lots();
   furnisher.plant_gardens();
   room.kept_free = std::move(tracks);
-  add_parked_cars_and_people(room, network, kerbs, block, models,
-                             options);  // last, so that fixed things do not depend on them
+  // Last, so that fixed things do not depend on what moves.
+  add_parked_cars_and_people(room, network, kerbs, block, models, options);
   return std::move(room.placed);
 }
 
