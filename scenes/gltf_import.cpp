@@ -15,7 +15,8 @@ namespace {
 
 using namespace gltf;
 
-/// Boxes of the transformed boxes of the meshes: never too small, a little large for turned instances.
+/// The box around the instances' transformed mesh boxes: a little too large for rotated instances, never too
+/// small.
 Eigen::AlignedBox3f bounds_of(const Document& document, const Scene& scene) {
   std::vector<Eigen::AlignedBox3f> mesh_boxes(scene.meshes.size());
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
@@ -23,7 +24,7 @@ Eigen::AlignedBox3f bounds_of(const Document& document, const Scene& scene) {
   Eigen::AlignedBox3f bounds;
   for (const Instance& instance : scene.instances)
     bounds.extend(mesh_boxes[instance.mesh].transformed(instance.world_from_mesh));
-  constexpr float farthest_m = 1e7f;  // a float still tells metres apart there
+  constexpr float farthest_m = 1e7f;  // a float's resolution is 1 m there
   if (!(bounds.min().minCoeff() > -farthest_m && bounds.max().maxCoeff() < farthest_m))
     refuse(document, "scene", "reaches beyond 10,000 km: scale it to metres");
   return bounds;
@@ -43,7 +44,7 @@ Scene make_scene(Document& document) {
   scene.bounds = bounds_of(document, scene);
   scene.lanes = read_lanes(document, index);
   scene.cameras = read_cameras(document, nodes);
-  warn_of_unread_extensions(document);
+  warn_of_ignored_extensions(document);
   if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
   return scene;
 }

@@ -8,11 +8,11 @@
 namespace cps {
 namespace {
 
-constexpr double most_open_edges = 0.1;
-constexpr double widest_opening = 0.6;
+constexpr double max_open_edges = 0.1;
+constexpr double max_opening = 0.6;
 
-/// Six times the signed volume that the triangles enclose with the vertices' mean: negative where fronts face
-/// it.
+/// Six times the signed volume between the triangles and the vertices' mean: negative if the front faces look
+/// inwards.
 double signed_volume(const Mesh& mesh) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3f& p : mesh.positions) centre += p.cast<double>();
@@ -27,8 +27,8 @@ double signed_volume(const Mesh& mesh) {
   return volume;
 }
 
-/// The opening of a shell as a share of its surface: the sum of the area vectors, which is 0 where it closes.
-/// Half for a dome without a floor, and 1 for ground, however hollow.
+/// The opening of a shell as a share of its surface: the length of the sum of its area vectors over the sum
+/// of their lengths. 0 for a closed shell, 0.5 for a dome without a floor, near 1 for ground.
 double opening(const Mesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double area = 0;
@@ -41,7 +41,7 @@ double opening(const Mesh& mesh) {
   return area > 0 ? sum.norm() / area : 1;
 }
 
-/// For each vertex, the number of its position: vertices split for their normals or uv share one.
+/// Numbers the vertices' positions, so that vertices split for their normals or uv share a number.
 std::vector<int> position_numbers(const Mesh& mesh) {
   const auto key = [&](int i) {
     const Eigen::Vector3f& p = mesh.positions[i];
@@ -55,7 +55,7 @@ std::vector<int> position_numbers(const Mesh& mesh) {
   return numbers;
 }
 
-/// Share of edges that no other triangle runs along the other way.
+/// Share of triangle edges without a neighbour, that is, a triangle with the same edge in opposite direction.
 double open_edges(const Mesh& mesh) {
   const std::vector<int> position = position_numbers(mesh);
   std::vector<std::pair<int, int>> edges;
@@ -73,7 +73,7 @@ double open_edges(const Mesh& mesh) {
 
 bool is_inside_out(const Mesh& mesh) {
   if (mesh.triangles.empty() || signed_volume(mesh) >= 0) return false;
-  return opening(mesh) <= widest_opening && open_edges(mesh) <= most_open_edges;
+  return opening(mesh) <= max_opening && open_edges(mesh) <= max_open_edges;
 }
 
 }  // namespace cps

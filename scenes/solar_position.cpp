@@ -1,9 +1,10 @@
 #include "scenes/solar_position.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "numbers/angles.h"
 
@@ -22,17 +23,10 @@ year_month_day date_of(const Moment& moment) {
           std::chrono::day(static_cast<unsigned>(moment.day))};
 }
 
-/// Since noon of 1 January 2000 (J2000).
+/// Days since noon of 1 January 2000 (J2000).
 double days_since_2000(const Moment& moment) {
   const auto days = sys_days(date_of(moment)) - sys_days(year(2000) / 1 / 1);
   return static_cast<double>(days.count()) - 0.5 + moment.hour / 24;
-}
-
-template <typename... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
 }
 
 }  // namespace
@@ -45,12 +39,12 @@ bool Moment::is_valid(std::string* why) const {
 }
 
 std::string date_text(const Moment& moment) {
-  return formatted("%04d-%02d-%02d", moment.year, moment.month, moment.day);
+  return fmt::format("{:04}-{:02}-{:02}", moment.year, moment.month, moment.day);
 }
 
 std::string time_text(const Moment& moment) {
   const int seconds = std::min(static_cast<int>(moment.hour * 3600), 24 * 3600 - 1);
-  return formatted("%02d:%02d:%02d", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  return fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
 SolarPosition solar_position(const Moment& moment, double latitude_deg, double longitude_deg) {

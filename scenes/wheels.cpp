@@ -8,12 +8,12 @@ namespace {
 
 constexpr double wheelbase_m = 2.7, track_m = 1.55;
 constexpr double reach_m = 0.6;
-constexpr float cos_steepest = 0.8192f;  // 35°
+constexpr float cos_max_slope = 0.8192f;  // 35°
 
 std::optional<double> ground_height(const SceneRays& rays, const Eigen::Vector3d& near) {
   const Eigen::Vector3d from = near + Eigen::Vector3d(0, reach_m, 0);
   const auto hit = first_hit(rays, from.cast<float>(), {0, -1, 0});
-  if (!hit || hit->distance_m > 2 * reach_m || std::abs(hit->normal.y()) < cos_steepest) return std::nullopt;
+  if (!hit || hit->distance_m > 2 * reach_m || std::abs(hit->normal.y()) < cos_max_slope) return std::nullopt;
   return from.y() - hit->distance_m;
 }
 

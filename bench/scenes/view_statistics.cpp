@@ -16,9 +16,9 @@
 #include "scenes/gltf_import.h"
 #include "sensor/develop.h"
 
-/// The tables and pictures of docs/cities.md and docs/benchmarks/cities.md: what a camera like KITTI's sees of each style, beside real
-/// frames of that size. `view_statistics FOLDER VIEWS [FRAME.png …]` makes the cities, a sheet of 48 views of
-/// each style and the diagrams in FOLDER.
+/// Makes the tables and pictures of docs/benchmarks/cities.md: statistics of what a camera like KITTI's sees in each
+/// style, next to those of real frames. `view_statistics FOLDER VIEWS [FRAME.png …]` makes the cities, a
+/// sheet of 48 views of each style and the diagrams in FOLDER.
 namespace {
 
 using namespace cps;
@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 constexpr CityStyle styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
                                 CityStyle::industrial};
 constexpr int cities_per_style = 4, conditions_per_city = 3;
-constexpr int width = 348, height = 128;  // a quarter of 1392 x 512; statistics are taken of half of that
+constexpr int width = 348, height = 128;  // a quarter of 1392 x 512; statistics use half of that
 constexpr int samples = 2, sheet_samples = 16, sheet_views = 48, sheet_columns = 6;
-constexpr float edge_threshold = 40;  // of Sobel's gradient, in 8-bit levels
+constexpr float edge_threshold = 40;  // of the Sobel gradient, in 8-bit levels
 constexpr Interval luminance_range{0, 256}, angle_range{0, 180};
 
 /// KITTI's camera 0 of 2011-09-26, unrectified (Geiger et al. 2013).
@@ -51,8 +51,8 @@ struct Statistics {
   std::vector<double> luminance, edge_angle_deg;
 };
 
-/// Levels of gray and directions of edges of an 8-bit picture at half its size. An edge's angle is that of
-/// the line, 0 level, 90 upright.
+/// Adds gray levels and edge directions of an 8-bit picture at half its size. An edge's angle is that of its
+/// line: 0 horizontal, 90 vertical.
 void add_picture(Statistics& statistics, const OIIO::ImageBuf& picture) {
   const OIIO::ROI half(0, width / 2, 0, height / 2, 0, 1, 0, picture.nchannels());
   const OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(picture, "box", 0, half);
@@ -170,7 +170,7 @@ int main(int count, char** arguments) {
   Plot luminance{
       .title = "Gray levels", .x_label = "level", .y_label = "density", .x_range = luminance_range};
   Plot edges{.title = "Directions of edges",
-             .x_label = "degrees; 0 level, 90 upright",
+             .x_label = "degrees; 0 horizontal, 90 vertical",
              .y_label = "density",
              .x_range = angle_range};
   std::string table = "| |";

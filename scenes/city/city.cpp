@@ -1,6 +1,8 @@
 #include "scenes/city/city.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 #include "scenes/city/blocks/block_plan.h"
@@ -20,8 +22,10 @@
 #include "scenes/city/roadside/tree.h"
 #include "scenes/city/streets/driving_lanes.h"
 #include "scenes/city/streets/roundabout.h"
+#include "scenes/city/streets/street_grid.h"
 #include "scenes/city/streets/street_network.h"
 #include "scenes/city/streets/surface/cycle_tracks.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/junction_details.h"
 #include "scenes/city/streets/surface/median.h"
 #include "scenes/city/streets/surface/road_markings.h"
@@ -47,17 +51,13 @@ bool CityOptions::is_valid(std::string* why) const {
 }
 
 std::string CitySummary::brief() const {
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "%s: %zu streets, %zu junctions, %zu blocks, %zu buildings, %zu trees, %zu parked cars, %zu "
-                "vehicles in "
-                "traffic, %zu people, %zu pieces of street furniture\n"
-                "%zu lanes, %.1f km in all\n"
-                "%.2f M triangles (%.2f M with instances), %.1f MB",
-                to_string(style).c_str(), streets, junctions, blocks, buildings, trees, cars, in_traffic,
-                people, furniture, lanes, lane_km, triangles * 1e-6, instanced_triangles * 1e-6,
-                bytes * 1e-6);
-  return text;
+  return fmt::format(
+      "{}: {} streets, {} junctions, {} blocks, {} buildings, {} trees, {} parked cars, "
+      "{} vehicles in traffic, {} people, {} pieces of street furniture\n"
+      "{} lanes, {:.1f} km in all\n"
+      "{:.2f} M triangles ({:.2f} M with instances), {:.1f} MB",
+      to_string(style), streets, junctions, blocks, buildings, trees, cars, in_traffic, people, furniture,
+      lanes, lane_km, triangles * 1e-6, instanced_triangles * 1e-6, bytes * 1e-6);
 }
 
 namespace {
@@ -132,13 +132,14 @@ void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const
     const WallMaterial cover = ground_material(materials, pad.kind);
     add_floor(ground.surfaces[cover.material], pad.outline, kerb_height_m + pad_rise_m, cover.tile_m);
   }
-  refine(ground.surfaces[materials.gutter], longest_road_edge_m);  // it lies on the asphalt
+  // The gutter lies on the asphalt, so it is refined as finely.
+  refine(ground.surfaces[materials.gutter], max_road_edge_m);
   for (auto& [material, piece] : ground.surfaces) {
     if (material == materials.kerb || material == materials.gutter) continue;
-    refine(piece, longest_block_edge_m);  // something for the weathering to live on
+    refine(piece, max_block_edge_m);  // enough vertices for the weathering colours
     shade(piece, [stream = make_stream(seed, "weathering")](const Vec2& p) { return weathering(stream, p); });
   }
-  drape(ground, terrain, longest_block_edge_m);
+  drape(ground, terrain, max_block_edge_m);
   add_static(writer, std::move(ground), name);
   const Stream buildings = substream(make_stream(seed, "building"), index);
   for (std::size_t k = 0; k < plan.buildings.size(); ++k)
@@ -146,7 +147,7 @@ void add_block(GlbWriter& writer, const StreetNetwork& network, int index, const
                  name + " building " + std::to_string(k));
 }
 
-/// What has wheels or lies flat leans with the slope; everything else stands upright.
+/// Whether models of this kind tilt with the slope (wheeled or lying flat) rather than stand upright.
 bool leans(ModelKind kind) {
   return kind == ModelKind::car || kind == ModelKind::cyclist || kind == ModelKind::goods;
 }

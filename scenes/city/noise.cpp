@@ -11,7 +11,8 @@ std::uint64_t lattice(Stream stream, int x, int y, int period) {
   return random_bits(stream, wrap(x) + wrap(y) * 65536);
 }
 
-double unit(std::uint64_t bits) {
+/// The low 32 bits as a number in [0, 1).
+double low_bits_as_unit(std::uint64_t bits) {
   return static_cast<double>(bits & 0xffffffff) * 0x1p-32;
 }
 
@@ -22,7 +23,7 @@ double gradient_noise(Stream stream, double u, double v, int period) {
   const int xi = static_cast<int>(std::floor(x)), yi = static_cast<int>(std::floor(y));
   const double fx = x - xi, fy = y - yi;
   const auto corner = [&](int dx, int dy) {
-    // Eight directions suffice and need no trigonometry.
+    // Eight gradient directions are enough, and a table needs no trigonometry.
     static constexpr double gx[8] = {1, -1, 0, 0, .7071, -.7071, .7071, -.7071};
     static constexpr double gy[8] = {0, 0, 1, -1, .7071, .7071, -.7071, -.7071};
     const std::uint64_t h = lattice(stream, xi + dx, yi + dy, period) >> 61;
@@ -41,14 +42,14 @@ double fractal_noise(Stream stream, double u, double v, int period, int octaves)
   return sum;
 }
 
-Cell cellular_noise(Stream stream, double u, double v, int period) {
+CellularNoise cellular_noise(Stream stream, double u, double v, int period) {
   const double x = u * period, y = v * period;
   const int xi = static_cast<int>(std::floor(x)), yi = static_cast<int>(std::floor(y));
-  Cell cell{9, 9, 0};
+  CellularNoise cell{9, 9, 0};
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const std::uint64_t h = lattice(stream, xi + dx, yi + dy, period);
-      const double px = xi + dx + unit(h), py = yi + dy + unit(h >> 32);
+      const double px = xi + dx + low_bits_as_unit(h), py = yi + dy + low_bits_as_unit(h >> 32);
       const double d = std::hypot(px - x, py - y);
       if (d < cell.nearest) {
         cell.second = cell.nearest;

@@ -10,10 +10,10 @@
 namespace cps {
 namespace {
 
-constexpr int most_drives = 60, candidates = 200, headings = 24;
-constexpr double half_car_m = 1.2;  ///< a car and a little
+constexpr int max_drives = 60, candidates = 200, headings = 24;
+constexpr double half_car_m = 1.2;  ///< half a car's width and a margin
 constexpr double apart_m = 3;       ///< between drives
-constexpr double shortest_m = 4, longest_m = 120, sight_m = 60;
+constexpr double min_length_m = 4, max_length_m = 120, sight_m = 60;
 constexpr double step_m = 1;
 
 struct Walker {
@@ -25,7 +25,7 @@ Eigen::Vector2d ahead(double heading) {
   return {std::cos(heading), -std::sin(heading)};
 }
 
-/// Cells that a drive passes within `apart_m` of.
+/// The cells within `apart_m` of a drive.
 class Taken {
  public:
   explicit Taken(const GroundGrid& grid) : grid_(grid), cells_(grid.height.size(), 0) {}
@@ -47,7 +47,7 @@ class Taken {
   std::vector<std::uint8_t> cells_;
 };
 
-/// How far a car gets straight ahead, at most `sight_m`.
+/// How far a car can drive straight ahead, at most `sight_m`.
 double free_way_m(const GroundGrid& ground, const Taken& taken, const Walker& walker) {
   double way_m = 0;
   for (const double step = std::max(0.5, ground.cell_m / 2); way_m < sight_m; way_m += step) {
@@ -57,7 +57,8 @@ double free_way_m(const GroundGrid& ground, const Taken& taken, const Walker& wa
   return way_m;
 }
 
-/// Of some places drawn on the free ground, the one with the longest way ahead.
+/// Of `candidates` random places on free ground, the place and heading with the longest way ahead; NaN if all
+/// are too short.
 Walker best_start(const GroundGrid& ground, const Taken& taken, const std::vector<int>& free, Stream stream) {
   Walker best{Eigen::Vector2d::Constant(NAN)};
   double best_m = 0;
@@ -67,18 +68,18 @@ Walker best_start(const GroundGrid& ground, const Taken& taken, const std::vecto
     if (taken.contains(walker.point)) continue;
     for (int h = 0; h < headings; ++h) {
       walker.heading = 2 * std::numbers::pi * h / headings;
-      // The middle of a road before its edge.
+      // Prefers the middle of a road to its edge.
       const double way_m =
           free_way_m(ground, taken, walker) + 2 * std::min(ground.room_at(walker.point), 4.0);
       if (way_m > best_m) best = walker, best_m = way_m;
     }
   }
-  return best_m > shortest_m ? best : Walker{Eigen::Vector2d::Constant(NAN)};
+  return best_m > min_length_m ? best : Walker{Eigen::Vector2d::Constant(NAN)};
 }
 
 std::vector<Eigen::Vector2d> walk(const GroundGrid& ground, const Taken& taken, Walker walker) {
   std::vector<Eigen::Vector2d> path = {walker.point};
-  while (path.size() * step_m < longest_m) {
+  while (path.size() * step_m < max_length_m) {
     Walker best = walker;
     double best_score = -1, best_way_m = 0;
     for (const double turn_deg : {0.0, 5.0, -5.0, 10.0, -10.0}) {
@@ -105,12 +106,12 @@ std::vector<Lane> find_drives(const GroundGrid& ground) {
   std::vector<Lane> drives;
   Taken taken(ground);
   const Stream stream = make_stream(0, "drives");
-  for (int drive = 0; drive < most_drives && !free.empty(); ++drive) {
+  for (int drive = 0; drive < max_drives && !free.empty(); ++drive) {
     const Walker start = best_start(ground, taken, free, substream(stream, drive));
     if (!start.point.allFinite()) break;
     const std::vector<Eigen::Vector2d> path = walk(ground, taken, start);
     for (const Eigen::Vector2d& point : path) taken.add(point);
-    if ((path.size() - 1) * step_m < shortest_m) continue;
+    if ((path.size() - 1) * step_m < min_length_m) continue;
     Lane& lane = drives.emplace_back();
     lane.street = "drive " + std::to_string(drives.size());
     for (const Eigen::Vector2d& point : path) lane.points.push_back(ground.ground_at(point).cast<float>());

@@ -1,6 +1,7 @@
 #include "scenes/drive/driven_scene.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "scenes/drive/drive_search.h"
@@ -22,14 +23,11 @@ std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& 
   const GroundGrid ground = ground_grid(scene, rays);
   std::vector<Lane> drives = find_drives(ground);
   if (drives.empty()) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  ": no way to drive was found (%.0f x %.0f x %.0f m, largest flat piece %.0f m2); set "
-                  "--metres_per_unit "
-                  "or name a --route",
-                  scene.bounds.sizes().x(), scene.bounds.sizes().y(), scene.bounds.sizes().z(),
-                  ground.area_m2);
-    throw std::runtime_error(file.string() + text);
+    const Eigen::Vector3f size = scene.bounds.sizes();
+    throw std::runtime_error(fmt::format(
+        "{}: no way to drive was found ({:.0f} x {:.0f} x {:.0f} m, largest flat piece {:.0f} m2); "
+        "set --metres_per_unit or name a --route",
+        file.string(), size.x(), size.y(), size.z(), ground.area_m2));
   }
   return drives;
 }
@@ -38,10 +36,8 @@ std::string note_of(const std::filesystem::path& file, double metres_per_unit, b
                     const std::vector<Lane>& lanes, const char* lanes_are) {
   double driven_m = 0;
   for (const Lane& lane : lanes) driven_m += length_m(lane);
-  char text[160];
-  std::snprintf(text, sizeof text, ": %g m per unit%s, %zu %s, %.0f m", metres_per_unit,
-                is_guessed ? " (guessed)" : "", lanes.size(), lanes_are, driven_m);
-  return file.filename().string() + text;
+  return fmt::format("{}: {:g} m per unit{}, {} {}, {:.0f} m", file.filename().string(), metres_per_unit,
+                     is_guessed ? " (guessed)" : "", lanes.size(), lanes_are, driven_m);
 }
 
 }  // namespace

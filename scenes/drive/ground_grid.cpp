@@ -7,24 +7,24 @@
 namespace cps {
 namespace {
 
-constexpr int most_cells_a_side = 700;
-constexpr int most_layers = 12;  ///< surfaces that one ray down looks at
+constexpr int max_cells_per_side = 700;
+constexpr int max_layers = 12;  ///< surfaces examined below one point
 constexpr double headroom_m = 2.2;
-constexpr float cos_steepest = 0.9063f;  // 25°
-constexpr double tangent_steepest = 0.4663, step_m = 0.2;
+constexpr float cos_max_slope = 0.9063f;  // 25°
+constexpr double tan_max_slope = 0.4663, step_m = 0.2;
 constexpr double bumper_m = 0.45, bonnet_m = 1.1;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-/// The lowest drivable surface below a point far above the scene.
+/// The height of the lowest drivable surface below a point above the scene; NaN if there is none.
 float lowest_ground(const SceneRays& rays, const Eigen::Vector3f& above) {
   float ground = none;
   double fallen_m = 0, ceiling_m = -1e9;
-  for (int layer = 0; layer < most_layers; ++layer) {
+  for (int layer = 0; layer < max_layers; ++layer) {
     const Eigen::Vector3f from = above - Eigen::Vector3f(0, static_cast<float>(fallen_m), 0);
     const auto hit = first_hit(rays, from, {0, -1, 0});
     if (!hit) break;
     const double at_m = fallen_m + hit->distance_m;
-    const bool is_flat = !hit->shows_back && std::abs(hit->normal.y()) > cos_steepest;
+    const bool is_flat = !hit->shows_back && std::abs(hit->normal.y()) > cos_max_slope;
     if (is_flat && at_m - ceiling_m >= headroom_m) ground = static_cast<float>(above.y() - at_m);
     ceiling_m = at_m;
     fallen_m = at_m + 0.01;
@@ -32,21 +32,21 @@ float lowest_ground(const SceneRays& rays, const Eigen::Vector3f& above) {
   return ground;
 }
 
-bool is_way(const SceneRays& rays, const Eigen::Vector3f& a, const Eigen::Vector3f& b, double cell_m) {
+bool is_passable(const SceneRays& rays, const Eigen::Vector3f& a, const Eigen::Vector3f& b, double cell_m) {
   if (std::isnan(a.y()) || std::isnan(b.y())) return false;
-  if (std::abs(a.y() - b.y()) > std::max(step_m, tangent_steepest * cell_m)) return false;
+  if (std::abs(a.y() - b.y()) > std::max(step_m, tan_max_slope * cell_m)) return false;
   const float reach_m = (b - a).norm();
   const Eigen::Vector3f direction = (b - a) / reach_m;
   for (const double height_m : {bumper_m, bonnet_m}) {
     const Eigen::Vector3f up(0, static_cast<float>(height_m), 0);
     if (const auto hit = first_hit(rays, a + up, direction); hit && hit->distance_m < reach_m) return false;
-    // Back again: the front of a single-sided wall may face either way.
+    // And backwards: a ray may pass through a single-sided wall from behind.
     if (const auto hit = first_hit(rays, b + up, -direction); hit && hit->distance_m < reach_m) return false;
   }
   return true;
 }
 
-/// Calls visit(neighbour) for the cells that a car gets to from a cell.
+/// Calls visit(neighbour) for the adjacent cells that a car can drive to.
 template <typename Visitor>
 void for_each_way(const GroundGrid& grid, int cell, Visitor&& visit) {
   const int x = cell % grid.nx, z = cell / grid.nx;
@@ -56,7 +56,7 @@ void for_each_way(const GroundGrid& grid, int cell, Visitor&& visit) {
   if (z > 0 && grid.south[cell - grid.nx]) visit(cell - grid.nx);
 }
 
-/// The cells of the largest connected piece.
+/// Marks the cells of the largest connected piece.
 std::vector<std::uint8_t> largest_piece(const GroundGrid& grid) {
   const int cells = grid.nx * grid.nz;
   std::vector<int> piece(cells, -1);
@@ -85,8 +85,8 @@ std::vector<std::uint8_t> largest_piece(const GroundGrid& grid) {
   return in_largest;
 }
 
-/// Distances to the nearest cell from which one cannot go everywhere: two sweeps of a chamfer (Borgefors
-/// 1986).
+/// Fills `room_m`: the distance to the nearest cell that lacks a passable neighbour, by a two-pass chamfer
+/// transform (Borgefors 1986).
 void measure_room(GroundGrid& grid, const std::vector<std::uint8_t>& in_piece) {
   const auto side = static_cast<float>(grid.cell_m), diagonal = side * 1.41421356f;
   grid.room_m.assign(grid.nx * grid.nz, 0);
@@ -131,7 +131,7 @@ Eigen::Vector3d GroundGrid::ground_at(const Eigen::Vector2d& point) const {
 GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   GroundGrid grid;
   const Eigen::Vector3d low = scene.bounds.min().cast<double>(), size = scene.bounds.sizes().cast<double>();
-  grid.cell_m = std::max(0.5, std::max(size.x(), size.z()) / most_cells_a_side);
+  grid.cell_m = std::max(0.5, std::max(size.x(), size.z()) / max_cells_per_side);
   grid.corner = Eigen::Vector2d(low.x(), low.z());
   grid.nx = static_cast<int>(size.x() / grid.cell_m) + 1;
   grid.nz = static_cast<int>(size.z() / grid.cell_m) + 1;
@@ -152,8 +152,9 @@ GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   for (int z = 0; z < grid.nz; ++z)
     for (int x = 0; x < grid.nx; ++x) {
       const int cell = grid.index(x, z);
-      if (x + 1 < grid.nx) grid.east[cell] = is_way(rays, ground[cell], ground[cell + 1], grid.cell_m);
-      if (z + 1 < grid.nz) grid.south[cell] = is_way(rays, ground[cell], ground[cell + grid.nx], grid.cell_m);
+      if (x + 1 < grid.nx) grid.east[cell] = is_passable(rays, ground[cell], ground[cell + 1], grid.cell_m);
+      if (z + 1 < grid.nz)
+        grid.south[cell] = is_passable(rays, ground[cell], ground[cell + grid.nx], grid.cell_m);
     }
   const std::vector<std::uint8_t> in_piece = largest_piece(grid);
   measure_room(grid, in_piece);

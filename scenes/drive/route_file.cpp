@@ -13,7 +13,7 @@ namespace cps {
 namespace {
 
 constexpr double stretch_m = 60;
-constexpr int fewest_stretches = 3;  ///< one for each part
+constexpr int min_stretches = 3;  ///< one each for train, val and test
 constexpr float half_place_m = 0.05f;
 
 struct RoutePoint {
@@ -25,7 +25,7 @@ struct RoutePoint {
   throw std::runtime_error(file.string() + ": line " + std::to_string(line) + ": " + what);
 }
 
-/// The numbers of a line; none when one of its fields is no finite number.
+/// The comma-separated numbers of a line; none if a field is not a finite number.
 std::optional<std::vector<double>> numbers_of(const std::string& line) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -54,7 +54,7 @@ std::vector<RoutePoint> read_points(const std::filesystem::path& file, double me
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     const auto values = numbers_of(line);
-    if (!values && number == 1) continue;  // the columns' names
+    if (!values && number == 1) continue;  // column names
     if (!values || (values->size() != 3 && values->size() != 4) || (columns && values->size() != columns))
       refuse(file, number, "must be x,y,z or x,y,z,heading_deg, numbers, the same on every line");
     columns = values->size();
@@ -71,12 +71,12 @@ std::vector<RoutePoint> read_points(const std::filesystem::path& file, double me
   return points;
 }
 
-/// Of stretch and street, as the drive goes on.
+/// Street name of a stretch of the route.
 std::string stretch_name(int stretch) {
   return "stretch " + std::to_string(stretch + 1);
 }
 
-/// A lane 0.1 m long about each point.
+/// A lane 0.1 m long around each point.
 std::vector<Lane> lanes_at(const std::vector<RoutePoint>& points, int stretches) {
   std::vector<Lane> lanes;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -90,13 +90,13 @@ std::vector<Lane> lanes_at(const std::vector<RoutePoint>& points, int stretches)
     if (i + 1 < points.size()) lane.next = {static_cast<int>(i + 1)};
     lanes.push_back(std::move(lane));
   }
-  // The last is no road's end: it is a place like the others.
+  // The last lane leads to itself, so that it does not count as a dead end: it is a place like the others.
   lanes.back().next = {static_cast<int>(lanes.size()) - 1};
   lanes.front().next.push_back(0);
   return lanes;
 }
 
-/// One lane cut into stretches of equal length.
+/// One lane through the points, cut into stretches of equal length.
 std::vector<Lane> lanes_through(const std::vector<RoutePoint>& points, int stretches, double whole_m) {
   std::vector<Lane> lanes(1);
   double driven_m = 0;
@@ -131,7 +131,7 @@ std::vector<Lane> read_route(const std::filesystem::path& file, double metres_pe
   for (std::size_t i = 1; i < points.size(); ++i)
     whole_m += (points[i].position - points[i - 1].position).norm();
   const int stretches =
-      std::max(fewest_stretches, static_cast<int>(std::min(std::floor(whole_m / stretch_m), 1000.0)));
+      std::max(min_stretches, static_cast<int>(std::min(std::floor(whole_m / stretch_m), 1000.0)));
   return points[0].heading_rad ? lanes_at(points, stretches) : lanes_through(points, stretches, whole_m);
 }
 

@@ -6,8 +6,9 @@
 namespace cps {
 namespace {
 
-/// From the lowest to the highest twentieth of all vertices: a mast or a mountain backdrop does not count.
-double height_of_most(const Scene& scene) {
+/// Height between the 5th and 95th percentile of all vertices, so that a mast or a mountain backdrop does not
+/// count.
+double typical_height(const Scene& scene) {
   std::vector<float> heights;
   for (const Instance& instance : scene.instances)
     for (const Eigen::Vector3f& position : scene.meshes[instance.mesh].positions)
@@ -21,7 +22,7 @@ double height_of_most(const Scene& scene) {
 
 double guess_unit_scale(const Scene& scene) {
   const Eigen::Vector3d size = scene.bounds.sizes().cast<double>();
-  const double height = height_of_most(scene), width = std::max(size.x(), size.z());
+  const double height = typical_height(scene), width = std::max(size.x(), size.z());
   const auto is_high = [&](double scale) { return scale * height >= 3 && scale * height <= 60; };
   const auto is_wide = [&](double scale) { return scale * width >= 20 && scale * width <= 20'000; };
   constexpr double scales[] = {1, 0.1, 10, 0.01, 100, 0.001, 1000};

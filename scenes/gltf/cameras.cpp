@@ -5,7 +5,7 @@
 namespace cps::gltf {
 namespace {
 
-/// glTF's cameras look along −z with y up: half a turn about x from ours.
+/// The camera's pose. glTF cameras look along −z with y up; ours look along +z with y down.
 Eigen::Isometry3d camera_in_world(const Document& document, const PlacedNode& node,
                                   const std::string& where) {
   Eigen::Isometry3d world_from_camera = Eigen::Isometry3d::Identity();
@@ -16,7 +16,7 @@ Eigen::Isometry3d camera_in_world(const Document& document, const PlacedNode& no
   world_from_camera.linear() << right, forward.cross(right), forward;
   if (!world_from_camera.matrix().allFinite() ||
       std::abs(world_from_camera.linear().determinant() - 1) > 1e-6)
-    refuse(document, where, "its camera's axes are scaled to nothing");
+    refuse(document, where, "its transform scales the camera's axes to 0");
   return world_from_camera;
 }
 

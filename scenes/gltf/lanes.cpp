@@ -1,5 +1,6 @@
 #include "scenes/gltf/lanes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cps::gltf {
@@ -17,11 +18,18 @@ Eigen::Vector3f read_point(const Document& document, const tinygltf::Value& valu
   return point;
 }
 
+/// Street names end up in CSV files and on the terminal, a line each.
+bool has_control_character(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+}
+
 Lane read_lane(const Document& document, const tinygltf::Value& value, const std::string& where) {
   if (!value.IsObject() || !value.Has("street") || !value.Get("street").IsString())
     refuse(document, where + ".street", "must be the name of the lane's street");
   Lane lane;
   lane.street = value.Get("street").Get<std::string>();
+  if (has_control_character(lane.street))
+    refuse(document, where + ".street", "holds a line break or another control character: rename the street");
   if (value.Has("width_m")) {
     lane.width_m =
         static_cast<float>(value.Get("width_m").IsNumber() ? value.Get("width_m").GetNumberAsDouble() : 0);
@@ -38,7 +46,7 @@ Lane read_lane(const Document& document, const tinygltf::Value& value, const std
   return lane;
 }
 
-/// Indices of the lanes that go on where this one ends; none where the scene does not say.
+/// Indices of the lanes that follow this one; empty without `next`.
 std::vector<int> read_next(const Document& document, const tinygltf::Value& value, int lane_count,
                            const std::string& where) {
   std::vector<int> next;
@@ -58,7 +66,7 @@ std::vector<int> read_next(const Document& document, const tinygltf::Value& valu
   return next;
 }
 
-/// Where vehicles stand on the lane: none where the scene does not say.
+/// The stretches that vehicles occupy; empty without `occupied`.
 std::vector<LaneStretch> read_occupied(const Document& document, const tinygltf::Value& value,
                                        const std::string& where) {
   std::vector<LaneStretch> occupied;

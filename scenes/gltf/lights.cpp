@@ -14,7 +14,7 @@ PunctualLight::Kind kind_of(const Document& document, const std::string& type, c
   refuse(document, where + ".type", "\"" + type + "\" is not point, spot or directional");
 }
 
-/// Light i of the file, not yet placed.
+/// The file's light of that index, not yet placed.
 PunctualLight make_light(const Document& document, int index) {
   const std::string where = element("KHR_lights_punctual.lights", index);
   const tinygltf::Light& from = document.model.lights[index];
@@ -54,7 +54,7 @@ void add_lights(Document& document, std::span<const PlacedNode> placed, Scene& s
     light.position = place.world_from_node.translation().cast<float>();
     const Eigen::Vector3d direction = place.world_from_node.linear() * Eigen::Vector3d(0, 0, -1);
     if (!(direction.norm() > 0) || !light.position.allFinite()) {
-      warn(document, where + ": its node's scale is 0 or its place not finite, left out");
+      warn(document, where + ": its node's scale is 0 or its position not finite, left out");
       continue;
     }
     light.direction = direction.normalized().cast<float>();

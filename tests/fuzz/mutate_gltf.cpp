@@ -40,7 +40,7 @@ std::uint32_t little_endian_u32(const unsigned char* from) {
   return value;
 }
 
-/// Empty where it is no glTF file.
+/// The JSON and the binary chunk of a file; `root` is discarded if it is not JSON.
 Parts take_apart(std::span<const unsigned char> bytes) {
   Parts parts;
   std::span<const unsigned char> text = bytes;
@@ -89,7 +89,7 @@ json any_number(Dice& dice) {
   return number == static_cast<double>(whole) ? json(whole) : json(number);
 }
 
-/// Property names and values that the importer looks at.
+/// Property names and values that the importer reads.
 constexpr const char* words[] = {"SCALAR",
                                  "VEC2",
                                  "VEC3",
@@ -208,7 +208,7 @@ void mutate_binary(Dice& dice, Bytes& binary) {
   std::copy(part.begin(), part.end(), binary.begin() + at);
 }
 
-void mend_png_checksums(Bytes& bytes) {
+void repair_png_checksums(Bytes& bytes) {
   constexpr unsigned char signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   const auto big_endian_u32 = [&](std::size_t at) {
     return std::uint32_t{bytes[at]} << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
@@ -239,7 +239,7 @@ std::size_t mutate_gltf(unsigned char* bytes, std::size_t size, std::size_t max_
   for (std::size_t left = 1 + dice.below(3); left > 0; --left) {
     if (!parts.binary.empty() && dice.below(3) == 0) {
       mutate_binary(dice, parts.binary);
-      if (dice.below(4) != 0) mend_png_checksums(parts.binary);
+      if (dice.below(4) != 0) repair_png_checksums(parts.binary);
     } else {
       std::vector<json*> all;
       collect(parts.root, all);

@@ -2,13 +2,14 @@
 
 #include "scenes/city/blocks/district.h"
 #include "scenes/city/buildings/building.h"
+#include "scenes/city/streets/junctions.h"
 #include "scenes/city/streets/street_network.h"
 
 namespace cps::city {
 
 enum class BlockKind { closed, detached, slabs, park, towers, halls };
 
-/// What encloses a garden or a yard.
+/// Kinds of enclosure of a garden or a yard.
 enum class BoundaryKind { hedge, picket_fence, mesh_fence, low_wall, high_wall };
 
 struct Boundary {
@@ -18,39 +19,39 @@ struct Boundary {
 
 enum class GroundKind { grass, paving, asphalt, concrete };
 
-/// A piece of ground of its own: a driveway, a path, a yard.
+/// A piece of ground with a surface of its own: a driveway, a path, a yard.
 struct Pad {
   GroundKind kind = GroundKind::paving;
   Polygon outline;
 };
 
-/// Pads lie this much above the ground around them.
+/// Height of pads above the ground around them.
 inline constexpr double pad_rise_m = 0.012;
 
-/// Where something stands on the block's own ground, and where it looks.
+/// A place for a thing on the block's ground, and the direction it faces.
 struct Spot {
   Vec2 position, direction;
-  double rise_m = 0;  ///< of a pad below it
+  double rise_m = 0;  ///< height of the pad below it
 };
 
-/// What one block is filled with; nothing of it overlaps anything else.
+/// The contents of a block; no two things overlap.
 struct BlockPlan {
   BlockKind kind = BlockKind::closed;
   GroundKind ground = GroundKind::grass;
-  std::vector<double> pavement_m;  ///< per side
-  Outline border;                  ///< where the pavements end
+  std::vector<double> pavement_m;  ///< width per side
+  Outline border;                  ///< the inner edge of the pavements
   std::vector<BuildingPlan> buildings;
   std::vector<Vec2> trees;  ///< in gardens, courts and parks
   std::vector<Boundary> boundaries;
-  std::vector<Pad> pads;          ///< none overlaps another
+  std::vector<Pad> pads;          ///< without overlaps
   std::vector<Spot> car_spots;    ///< on driveways and in yards
-  std::vector<Spot> goods_spots;  ///< containers and the like, in yards
+  std::vector<Spot> goods_spots;  ///< for containers and the like, in yards
 };
 
 BlockPlan plan_block(const StreetNetwork& network, int block, const CityCharacter& character,
                      std::uint64_t seed);
 
-/// The middle of a block's corners: decides which district it belongs to.
+/// The mean of a block's corners, which decides its district.
 Vec2 block_middle(const StreetNetwork& network, int block);
 
 }  // namespace cps::city

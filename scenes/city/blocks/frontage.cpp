@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/city/streets/junctions.h"
+
 namespace cps::city {
 
 Polygon without_repeats(const Polygon& polygon) {
@@ -14,7 +16,7 @@ Polygon without_repeats(const Polygon& polygon) {
 }
 
 std::vector<Frontage> frontages(const StreetNetwork& network, const Block& block, const Outline& border) {
-  // Turned so that it starts at a corner: then no frontage wraps around the end of the list.
+  // Rotated to start at a corner, so that no frontage wraps around the end of the list.
   struct Edge {
     Vec2 from, to;
     bool road;
@@ -27,7 +29,7 @@ std::vector<Frontage> frontages(const StreetNetwork& network, const Block& block
     const bool on_ring = border.corner[i] && network.junctions[network.end(side)].roundabout;
     if ((b - a).norm() > 0.01) edges.push_back({a, b, network.is_road(side) && !on_ring});
   }
-  const auto turns = [&](std::size_t i) {  // between edge i and the next
+  const auto turns = [&](std::size_t i) {  // at the end of edge i
     const Vec2 a = edges[i].to - edges[i].from,
                b = edges[(i + 1) % edges.size()].to - edges[(i + 1) % edges.size()].from;
     return std::abs(std::atan2(cross(a, b), a.dot(b))) > 2 * straight_on_rad ||

@@ -44,14 +44,14 @@ void add_curtain_wall(Mesh& mesh, const Vec2& from, const Vec2& to, double botto
            {frame.point(0, top, 0), {u0, v1}});
   Surface& solid = mesh.surfaces[s.solid.material];
   if (s.relief == CurtainRelief::bands || s.relief == CurtainRelief::grid)
-    for (int k = 0; k < storeys; ++k)  // around one corner, so that two walls' bands meet there
-      add_bar(solid, frame, 0, width + s.band_depth_m, bottom + k * s.storey_m,
-              bottom + k * s.storey_m + s.band_height_m, 0, s.band_depth_m, s.solid.tile_m,
-              lower_face | upper_face | right_face);
+    for (int k = 0; k < storeys; ++k)  // extended around one corner, where it meets the next wall's band
+      add_bar(solid, frame,
+              {0, width + s.band_depth_m, bottom + k * s.storey_m, bottom + k * s.storey_m + s.band_height_m},
+              0, s.band_depth_m, s.solid.tile_m, lower_face | upper_face | right_face);
   if (s.relief == CurtainRelief::fins || s.relief == CurtainRelief::grid)
     for (int p = 0; p <= panels; p += s.panels_per_pier) {
       const double u = std::clamp(width * p / panels, s.pier_width_m / 2, width - s.pier_width_m / 2);
-      add_bar(solid, frame, u - s.pier_width_m / 2, u + s.pier_width_m / 2, bottom, top, 0, s.pier_depth_m,
+      add_bar(solid, frame, {u - s.pier_width_m / 2, u + s.pier_width_m / 2, bottom, top}, 0, s.pier_depth_m,
               s.solid.tile_m, left_face | right_face);
     }
 }

@@ -9,7 +9,7 @@ namespace cps::city {
 namespace {
 
 constexpr double near_street_m = 8;
-constexpr double door_width_m = 1.15, door_height_m = 2.5;  // with the light above the leaf
+constexpr double door_width_m = 1.15, door_height_m = 2.5;  // including the window above the leaf
 
 std::vector<Opening> upper_storey(double width, int bays, double floor, double ceiling,
                                   const FacadeStyle& style) {
@@ -46,9 +46,9 @@ std::vector<Opening> ground_storey(double width, int bays, double floor, double 
 void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceiling, const Materials& m,
                    Draws& draws) {
   const MaterialId color = draws.one_of(m.shop_sign);
-  add_bar(mesh.surfaces[color], frame, 0.25, width - 0.25, ceiling - 0.6, ceiling - 0.08, 0, 0.09);
+  add_bar(mesh.surfaces[color], frame, {0.25, width - 0.25, ceiling - 0.6, ceiling - 0.08}, 0, 0.09);
   if (!draws.chance(0.4)) return;
-  // An awning, let out over the pavement.
+  // An extended awning over the pavement.
   const double out = draws.uniform(0.9, 1.4), top = ceiling - 0.65, front = top - 0.55;
   Surface& cloth = mesh.surfaces[m.awning];
   const auto quad = [&](double u0, double u1, double z0, double w0, double z1, double w1) {
@@ -56,25 +56,25 @@ void add_shop_sign(Mesh& mesh, const WallFrame& frame, double width, double ceil
              {frame.point(u0, z1, w1)});
   };
   quad(0.3, width - 0.3, front, out, top, 0.02);
-  quad(width - 0.3, 0.3, front, out, top, 0.02);  // seen from below
+  quad(width - 0.3, 0.3, front, out, top, 0.02);  // the underside
   quad(0.3, width - 0.3, front - 0.2, out, front, out);
   quad(width - 0.3, 0.3, front - 0.2, out, front, out);
 }
 
-/// A slab with a railing in front of a window.
+/// Adds a balcony, a slab with a railing, in front of a window.
 void add_balcony(Mesh& mesh, const WallFrame& frame, const Opening& window, double floor,
                  const Materials& m) {
   constexpr double out = 1.15, railing = 1.0;
   const double u0 = window.u0 - 0.45, u1 = window.u1 + 0.45;
-  add_bar(mesh.surfaces[m.concrete[0].material], frame, u0, u1, floor - 0.16, floor, 0, out, 3);
+  add_bar(mesh.surfaces[m.concrete[0].material], frame, {u0, u1, floor - 0.16, floor}, 0, out, 3);
   Surface& bars = mesh.surfaces[m.pole];
-  add_bar(bars, frame, u0, u1, floor + railing - 0.05, floor + railing, out - 0.06, out - 0.01);
+  add_bar(bars, frame, {u0, u1, floor + railing - 0.05, floor + railing}, out - 0.06, out - 0.01);
   for (const double u : {u0, u1 - 0.04})
-    add_bar(bars, frame, u, u + 0.04, floor + railing - 0.05, floor + railing, 0, out - 0.01);
+    add_bar(bars, frame, {u, u + 0.04, floor + railing - 0.05, floor + railing}, 0, out - 0.01);
   const int posts = static_cast<int>((u1 - u0) / 0.18);
   for (int i = 0; i <= posts; ++i) {
     const double u = u0 + (u1 - u0 - 0.025) * i / posts;
-    add_bar(bars, frame, u, u + 0.025, floor, floor + railing - 0.05, out - 0.05, out - 0.025, 1,
+    add_bar(bars, frame, {u, u + 0.025, floor, floor + railing - 0.05}, out - 0.05, out - 0.025, 1,
             left_face | right_face);
   }
 }
@@ -114,7 +114,7 @@ std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyl
       add_shop_sign(mesh, frame, width, ceiling, materials, draws);
   }
   if (wall.top > wall.eaves)
-    add_panel(mesh.surfaces[style.wall.material], frame, 0, width, wall.eaves, wall.top, 0,
+    add_panel(mesh.surfaces[style.wall.material], frame, {0, width, wall.eaves, wall.top}, 0,
               style.wall.tile_m);
   return doorway;
 }
@@ -122,8 +122,8 @@ std::optional<Doorway> add_facade(Mesh& mesh, const Wall& wall, const FacadeStyl
 void add_blank_wall(Mesh& mesh, const Wall& wall, const WallMaterial& material) {
   const double width = (wall.to - wall.from).norm();
   if (width < 1e-3) return;
-  add_panel(mesh.surfaces[material.material], make_wall_frame(wall.from, wall.to), 0, width, wall.bottom,
-            wall.top, 0, material.tile_m);
+  add_panel(mesh.surfaces[material.material], make_wall_frame(wall.from, wall.to),
+            {0, width, wall.bottom, wall.top}, 0, material.tile_m);
 }
 
 }  // namespace cps::city

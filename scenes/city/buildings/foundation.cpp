@@ -5,17 +5,17 @@
 
 #include "scenes/city/buildings/opening.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
 
-constexpr double buried_m = 0.3;  ///< how far below the ground foundations reach
-constexpr double highest_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m = 3;
+constexpr double buried_m = 0.3;  ///< depth of foundations below the ground
+constexpr double max_step_m = 0.17, tread_m = 0.3, landing_m = 0.6, ramp_m = 3;
 
 double lowest_along(const Vec2& from, const Vec2& to, const Terrain& terrain) {
   double lowest = terrain.height_m(to);
-  for (const Vec2& p : subdivided({from, to}, longest_road_edge_m))
+  for (const Vec2& p : subdivided({from, to}, max_road_edge_m))
     lowest = std::min(lowest, terrain.height_m(p));
   return lowest;
 }
@@ -26,22 +26,22 @@ void add_walls_below(Surface& surface, const Polygon& ring, double tile_m, doubl
     const Vec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
     const double bottom = lowest_along(from, to, terrain) - level_m - buried_m;
     if ((to - from).norm() > 1e-3 && bottom < 0)
-      add_panel(surface, make_wall_frame(from, to), 0, (to - from).norm(), kerb_height_m + bottom,
-                kerb_height_m, 0, tile_m);
+      add_panel(surface, make_wall_frame(from, to),
+                {0, (to - from).norm(), kerb_height_m + bottom, kerb_height_m}, 0, tile_m);
   }
 }
 
-/// The frame of a doorway: u along the wall from its middle, w out of the wall.
+/// The frame of a doorway: u along the wall from the doorway's middle, w outwards.
 WallFrame frame_of(const Doorway& doorway) {
   return {doorway.middle, left_of(doorway.out), doorway.out};
 }
 
 void add_steps(Surface& surface, const Doorway& doorway, double drop_m, double tile_m) {
-  const int steps = static_cast<int>(std::ceil(drop_m / highest_step_m));
+  const int steps = static_cast<int>(std::ceil(drop_m / max_step_m));
   const double half = doorway.width_m / 2 + 0.25, bottom = kerb_height_m - drop_m - buried_m;
   double from = 0, to = landing_m;
   for (int k = 0; k < steps; ++k) {
-    add_bar(surface, frame_of(doorway), -half, half, bottom, kerb_height_m - drop_m * k / steps, from, to,
+    add_bar(surface, frame_of(doorway), {-half, half, bottom, kerb_height_m - drop_m * k / steps}, from, to,
             tile_m, left_face | right_face | upper_face);
     from = to;
     to += tread_m;

@@ -4,7 +4,7 @@
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/buildings/opening.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -37,7 +37,7 @@ HallStyle draw_style(const Materials& m, Draws& draws) {
   return s;
 }
 
-/// Gates and a door in the lower part, in bays of equal width.
+/// Gates and one door in bays of equal width.
 std::vector<Opening> ground_openings(double width, bool with_gates, Draws& draws) {
   std::vector<Opening> openings;
   const double floor = kerb_height_m;
@@ -74,7 +74,7 @@ void add_hall_wall(Building& result, const Vec2& from, const Vec2& to, const Hal
   Surface& wall = mesh.surfaces[s.wall.material];
   const std::vector<Opening> ground = ground_openings(width, with_gates, draws);
   add_pierced_wall(wall, frame, width, kerb_height_m, band, ground, s.wall.tile_m);
-  double u = 0;  // the plinth, between the gates
+  double u = 0;  // the plinth runs between the gates
   Surface& plinth = mesh.surfaces[m.concrete[0].material];
   for (const Opening& o : ground) {
     result.doorways.push_back(doorway_of(frame, o));
@@ -82,17 +82,17 @@ void add_hall_wall(Building& result, const Vec2& from, const Vec2& to, const Hal
       add_gate(mesh, frame, o, s.gate, m);
     else
       add_opening(mesh, frame, o, s.openings, s.wall, Detail::near_street, m, draws);
-    add_bar(plinth, frame, u, o.u0 - 0.1, kerb_height_m, kerb_height_m + s.plinth_m, 0, 0.05, 3);
+    add_bar(plinth, frame, {u, o.u0 - 0.1, kerb_height_m, kerb_height_m + s.plinth_m}, 0, 0.05, 3);
     u = o.u1 + 0.1;
   }
-  add_bar(plinth, frame, u, width, kerb_height_m, kerb_height_m + s.plinth_m, 0, 0.05, 3);
+  add_bar(plinth, frame, {u, width, kerb_height_m, kerb_height_m + s.plinth_m}, 0, 0.05, 3);
   std::vector<Opening> strip;
   if (s.strip_windows && s.eaves - band > 1.6)
     strip = strip_openings(width, band + 0.1, std::min(band + 1.3, s.eaves - 0.4));
   add_pierced_wall(wall, frame, width, band, top, strip, s.wall.tile_m);
   for (const Opening& o : strip)
     add_opening(mesh, frame, o, s.openings, s.wall, Detail::upper_storey, m, draws);
-  add_bar(mesh.surfaces[s.trim], frame, -0.05, width + 0.05, top - 0.35, top + 0.02, 0, 0.06);
+  add_bar(mesh.surfaces[s.trim], frame, {-0.05, width + 0.05, top - 0.35, top + 0.02}, 0, 0.06);
 }
 
 void add_company_sign(Mesh& mesh, const Vec2& from, const Vec2& to, const HallStyle& s, const Materials& m,
@@ -100,8 +100,8 @@ void add_company_sign(Mesh& mesh, const Vec2& from, const Vec2& to, const HallSt
   const double width = (to - from).norm(), sign = std::min(width * 0.5, draws.uniform(4, 10));
   const double u = draws.uniform(0.5, width - sign - 0.5), top = s.eaves - 0.5;
   if (top - 1.2 > kerb_height_m + gate_height_m + 0.2)
-    add_bar(mesh.surfaces[draws.one_of(m.shop_sign)], make_wall_frame(from, to), u, u + sign,
-            top - draws.uniform(0.9, 1.2), top, 0, 0.25);
+    add_bar(mesh.surfaces[draws.one_of(m.shop_sign)], make_wall_frame(from, to),
+            {u, u + sign, top - draws.uniform(0.9, 1.2), top}, 0, 0.25);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "scenes/city/buildings/building.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -67,7 +67,7 @@ Wall make_wall(const Vec2& from, const Vec2& to, const Heights& h, double above_
   return {from, to, kerb_height_m, h.eaves + above_eaves, h.floors, h.eaves};
 }
 
-/// Plinth, string course above the ground floor, cornice under the eaves, drainpipes.
+/// Adds a string course above the ground floor, a cornice under the eaves and a drainpipe.
 void add_mouldings(Mesh& mesh, const BuildingPlan& plan, const Heights& h, const Materials& m, Draws& draws) {
   Surface& stone = mesh.surfaces[m.stone.material];
   const auto band = [&](double bottom, double top, double out) {
@@ -140,7 +140,7 @@ Building house(const BuildingPlan& plan, const Materials& m, Stream stream) {
     const int storeys = std::max(1, plan.storeys - 2);
     Heights low{{heights.floors.begin(), heights.floors.begin() + storeys}, 0};
     low.eaves = storeys < plan.storeys ? heights.floors[storeys] : heights.eaves;
-    for (int i = 1; i < 4; ++i)  // its first side leans on the house
+    for (int i = 1; i < 4; ++i)  // its first side adjoins the house
       add_facade(mesh, make_wall(wing[i], wing[(i + 1) % 4], low, parapet_m), style, GroundFloor::windows,
                  false, m, openings);
     add_roof(mesh, make_footprint({wing[0], wing[1]}, plan.rear_wing_m), low.eaves - 0.01,

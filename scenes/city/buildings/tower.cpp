@@ -4,7 +4,7 @@
 #include "scenes/city/buildings/building.h"
 #include "scenes/city/buildings/curtain_wall.h"
 #include "scenes/city/buildings/opening.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -49,13 +49,13 @@ void add_podium(Building& result, const Footprint& f, const Podium& podium, cons
     const Wall wall{ring[i],       ring[(i + 1) % ring.size()],
                     kerb_height_m, podium.eaves + parapet_m,
                     podium.floors, podium.eaves};
-    const GroundFloor ground = i == 2 ? GroundFloor::windows : GroundFloor::shop;  // goods come in behind
+    const GroundFloor ground = i == 2 ? GroundFloor::windows : GroundFloor::shop;  // the rear has no shop
     const std::optional<Doorway> doorway = add_facade(result.mesh, wall, style, ground, i != 2, m, draws);
     if (doorway) result.doorways.push_back(*doorway);
   }
 }
 
-/// A piece of shaft: walls and roof; returns the height of its roof.
+/// Adds a part of the tower's shaft, walls and roof; returns the height of its roof.
 double add_shaft(Mesh& mesh, const Footprint& f, double bottom, int storeys, const CurtainStyle& style,
                  const Materials& m, Draws& draws) {
   const Polygon ring = f.polygon();
@@ -65,8 +65,8 @@ double add_shaft(Mesh& mesh, const Footprint& f, double bottom, int storeys, con
     add_curtain_wall(mesh, from, to, bottom, storeys, style);
     const WallFrame frame = make_wall_frame(from, to);
     const double out = style.band_depth_m;
-    add_bar(mesh.surfaces[style.solid.material], frame, 0, (to - from).norm() + out, top - 0.1,
-            top + parapet_m, 0, out, style.solid.tile_m);
+    add_bar(mesh.surfaces[style.solid.material], frame,
+            {0, (to - from).norm() + out, top - 0.1, top + parapet_m}, 0, out, style.solid.tile_m);
   }
   RoofPlan roof;
   roof.kind = RoofKind::flat;
@@ -75,7 +75,7 @@ double add_shaft(Mesh& mesh, const Footprint& f, double bottom, int storeys, con
   return top;
 }
 
-/// The footprint drawn in on all sides, its width a whole number of glass panels.
+/// The footprint inset on all sides; its width and depth are whole numbers of glass panels.
 Footprint drawn_in(const Footprint& f, double front_m, double sides_m, double back_m) {
   const Vec2 along = (f.front[1] - f.front[0]).normalized(), in = left_of(along);
   const double full = (f.front[1] - f.front[0]).norm(), room = full - 2 * sides_m;
@@ -85,7 +85,7 @@ Footprint drawn_in(const Footprint& f, double front_m, double sides_m, double ba
   return make_footprint({start, start + along * width}, deep);
 }
 
-/// Machines and lift shafts behind a screen, sometimes a mast.
+/// Adds a plant room on the roof, sometimes with a mast.
 void add_crown(Mesh& mesh, const Footprint& f, double top, const CurtainStyle& style, const Materials& m,
                Draws& draws) {
   const Vec2 along = (f.front[1] - f.front[0]).normalized();

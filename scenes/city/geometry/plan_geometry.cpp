@@ -159,15 +159,15 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-/// Whether d lies inside the circle through a, b and c (anticlockwise).
+/// Whether d lies inside the circle through a, b and c (given anticlockwise).
 bool in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Vec2 u = a - d, v = b - d, w = c - d;
   return u.squaredNorm() * cross(v, w) + v.squaredNorm() * cross(w, u) + w.squaredNorm() * cross(u, v) > 1e-6;
 }
 
-/// Exchanges diagonals until none can be made better (Lawson 1977): ears alone leave long slivers.
+/// Flips diagonals until the triangulation is Delaunay (Lawson 1977): ear clipping alone leaves long slivers.
 void flip_diagonals(const Polygon& p, std::vector<Triangle>& triangles) {
-  std::map<std::pair<int, int>, int> owner;  // of an edge in its triangle's direction
+  std::map<std::pair<int, int>, int> owner;  // of a directed edge: its triangle
   const auto own = [&](int t) {
     for (int k = 0; k < 3; ++k) owner[{triangles[t][k], triangles[t][(k + 1) % 3]}] = t;
   };
@@ -190,9 +190,9 @@ void flip_diagonals(const Polygon& p, std::vector<Triangle>& triangles) {
     }
     return false;
   };
-  const std::size_t most = triangles.size() * triangles.size();  // flips that a planar set can need
+  const std::size_t max_flips = triangles.size() * triangles.size();  // no planar set needs more flips
   std::size_t flips = 0;
-  for (std::size_t quiet = 0, t = 0; quiet < triangles.size() && flips < most;
+  for (std::size_t quiet = 0, t = 0; quiet < triangles.size() && flips < max_flips;
        t = (t + 1) % triangles.size()) {
     const bool flipped = flip_one(static_cast<int>(t));
     flips += flipped;
@@ -203,7 +203,7 @@ void flip_diagonals(const Polygon& p, std::vector<Triangle>& triangles) {
 }  // namespace
 
 std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
-  std::vector<int> ring;  // a point that repeats would keep both its neighbours from being ears
+  std::vector<int> ring;  // without repeated points, whose neighbours could not be ears
   for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
     if (ring.empty() || (polygon[i] - polygon[ring.back()]).norm() > 1e-6) ring.push_back(i);
   while (ring.size() > 1 && (polygon[ring.back()] - polygon[ring.front()]).norm() <= 1e-6) ring.pop_back();
@@ -220,7 +220,7 @@ std::vector<std::array<int, 3>> triangulate(const Polygon& polygon) {
   while (ring.size() > 2) {
     std::size_t ear = 0;
     while (ear < ring.size() && !is_ear(ear)) ++ear;
-    if (ear == ring.size()) {  // only collinear points are left over
+    if (ear == ring.size()) {  // only collinear points are left
       ring.erase(ring.begin());
       continue;
     }

@@ -24,8 +24,8 @@ std::uint32_t add_middle(Surface& s, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-void refine(Surface& surface, double longest_m) {
-  const auto limit = static_cast<float>(longest_m * longest_m);
+void refine(Surface& surface, double max_edge_m) {
+  const auto limit = static_cast<float>(max_edge_m * max_edge_m);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const auto [entry, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)}, 0);

@@ -6,11 +6,11 @@
 
 namespace cps::city {
 
-/// Divides triangles until no edge is longer than `longest_m`, seen from above. An edge is halved or not by
-/// its own length alone, whatever triangle it belongs to, so faces that share an edge go on sharing it.
-void refine(Surface& surface, double longest_m);
+/// Divides triangles until no edge is longer than `max_edge_m`, seen from above. Whether an edge is halved
+/// depends only on its own length, so triangles that share an edge still share its halves.
+void refine(Surface& surface, double max_edge_m);
 
-/// Gives every vertex the lightness of its point of the plan.
+/// Sets the vertex colours to gray, of lightness `light(plan position)`.
 void shade(Surface& surface, const std::function<double(const Vec2&)>& light);
 
 }  // namespace cps::city

@@ -12,20 +12,16 @@ std::array<double, 3> gray(double x) {
   return {x, x, x};
 }
 
-double unit(std::uint64_t bits) {
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
-
 }  // namespace
 
 TextureSet asphalt_texture(Stream stream) {
   Draws draws{substream(stream, 0)};
   const double base = draws.uniform(0.47, 0.58), warmth = draws.uniform(-0.012, 0.012);
   return paint(1024, asphalt_tile_m, false, [=](double u, double v) {
-    const Cell stone = cellular_noise(substream(stream, 1), u, v, 230);  // 13 mm aggregate
+    const CellularNoise stone = cellular_noise(substream(stream, 1), u, v, 230);  // 13 mm aggregate
     const double face = std::clamp((stone.second - stone.nearest) * 2.2, 0.0, 1.0);
     const double blotch = fractal_noise(substream(stream, 2), u, v, 5, 4);
-    const double shade = (unit(mix64(stone.id)) - 0.5) * 0.15 * face;
+    const double shade = (stone.uniform() - 0.5) * 0.15 * face;
     const double light = base + 0.05 * blotch + shade - 0.10 * (1 - face);
     Texel t;
     t.color = {light + warmth, light + 0.4 * warmth, light};
@@ -49,7 +45,7 @@ TextureSet paving_texture(Stream stream) {
     const double dy = std::min(v * rows - row, 1 - v * rows + row) * paving_tile_m / rows;
     const double edge = std::min(dx, dy);
     const double joint = std::clamp((edge - 0.002) / 0.004, 0.0, 1.0);
-    const double tone = unit(random_bits(substream(stream, 1), column + 64 * row)) - 0.5;
+    const double tone = random_uniform(substream(stream, 1), column + 64 * row) - 0.5;
     const double grain = fractal_noise(substream(stream, 2), u, v, 60, 3);
     const double stain = fractal_noise(substream(stream, 3), u, v, 4, 4);
     const double light = (base + 0.07 * tone + 0.05 * grain + 0.05 * stain) * joint + 0.30 * (1 - joint);
@@ -66,7 +62,7 @@ TextureSet kerb_texture(Stream stream) {
     const int stone = static_cast<int>(u * 2);
     const double x = u * 2 - stone;
     const double joint = std::clamp((std::min(x, 1 - x) - 0.004) / 0.006, 0.0, 1.0);
-    const double tone = unit(random_bits(substream(stream, 0), stone)) - 0.5;
+    const double tone = random_uniform(substream(stream, 0), stone) - 0.5;
     const double grain = fractal_noise(substream(stream, 1), u, v, 64, 3);
     const double stain = fractal_noise(substream(stream, 2), u, v, 6, 3);
     Texel t;

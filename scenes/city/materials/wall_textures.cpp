@@ -7,14 +7,6 @@
 #include "scenes/city/noise.h"
 
 namespace cps::city {
-namespace {
-
-double unit(std::uint64_t bits) {
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
-
-}  // namespace
-
 TextureSet brick_texture(Stream stream) {
   Draws draws{substream(stream, 0)};
   constexpr int columns = 8, rows = 26;  // 250 × 77 mm with the joint
@@ -32,7 +24,7 @@ TextureSet brick_texture(Stream stream) {
     const double dy = std::min(v * rows - row, 1 - v * rows + row) * brick_tile_m / rows;
     const double grain = fractal_noise(substream(stream, 2), u, v, 90, 3);
     const double face = std::clamp((std::min(dx, dy) + 0.001 * grain - 0.004) / 0.004, 0.0, 1.0);
-    const double tone = spread * 2 * (unit(random_bits(substream(stream, 1), column + 64 * row)) - 0.5);
+    const double tone = spread * 2 * (random_uniform(substream(stream, 1), column + 64 * row) - 0.5);
     const double dirt = fractal_noise(substream(stream, 3), u, v, 3, 4);
     Texel t;
     for (int c = 0; c < 3; ++c)
@@ -65,7 +57,7 @@ TextureSet concrete_texture(Stream stream) {
   return paint(512, concrete_tile_m, false, [=](double u, double v) {
     const double grain = fractal_noise(substream(stream, 1), u, v, 100, 3);
     const double cloud = fractal_noise(substream(stream, 2), u, v, 4, 5);
-    const Cell pore = cellular_noise(substream(stream, 3), u, v, 60);
+    const CellularNoise pore = cellular_noise(substream(stream, 3), u, v, 60);
     const double hole = pore.nearest < 0.09 ? 1.0 : 0.0;
     const double joint_u = std::abs(u - 0.5) < 0.0025, joint_v = std::abs(v - 0.5) < 0.0025;
     const double joint = std::max(joint_u, joint_v);
@@ -80,7 +72,7 @@ TextureSet concrete_texture(Stream stream) {
 
 TextureSet roof_tile_texture(Stream stream) {
   Draws draws{substream(stream, 0)};
-  constexpr int columns = 10, rows = 8;  // 240 × 300 mm showing
+  constexpr int columns = 10, rows = 8;  // 240 × 300 mm visible
   const double kind = draws.uniform(0, 1);
   const std::array<double, 3> clay = kind < 0.55  ? std::array<double, 3>{0.56, 0.30, 0.20}
                                      : kind < 0.8 ? std::array<double, 3>{0.42, 0.26, 0.20}
@@ -89,10 +81,10 @@ TextureSet roof_tile_texture(Stream stream) {
     const double x = u * columns, y = v * rows;
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     const double fx = x - column, fy = y - row;  // fy grows down the slope
-    const double tone = unit(random_bits(substream(stream, 1), column + 64 * row)) - 0.5;
+    const double tone = random_uniform(substream(stream, 1), column + 64 * row) - 0.5;
     const double grain = fractal_noise(substream(stream, 2), u, v, 60, 3);
     const double moss = fractal_noise(substream(stream, 3), u, v, 4, 4);
-    const double gap = fy > 0.95 ? 0.55 : 1.0;  // the shadow under the next tile's edge
+    const double gap = fy > 0.95 ? 0.55 : 1.0;  // shadow under the next tile's edge
     Texel t;
     for (int c = 0; c < 3; ++c)
       t.color[c] = clay[c] * (1 + 0.25 * tone + 0.12 * grain - 0.25 * std::max(0.0, moss)) * gap;
@@ -104,9 +96,9 @@ TextureSet roof_tile_texture(Stream stream) {
 
 TextureSet flat_roof_texture(Stream stream) {
   return paint(512, flat_roof_tile_m, false, [=](double u, double v) {
-    const Cell gravel = cellular_noise(substream(stream, 1), u, v, 100);
+    const CellularNoise gravel = cellular_noise(substream(stream, 1), u, v, 100);
     const double cloud = fractal_noise(substream(stream, 2), u, v, 4, 4);
-    const double light = 0.42 + 0.12 * (unit(mix64(gravel.id)) - 0.5) + 0.06 * cloud - 0.1 * gravel.nearest;
+    const double light = 0.42 + 0.12 * (gravel.uniform() - 0.5) + 0.06 * cloud - 0.1 * gravel.nearest;
     Texel t;
     t.color = {light, light, light * 0.97};
     t.height_m = 0.008 * (1 - gravel.nearest);

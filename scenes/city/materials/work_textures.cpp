@@ -8,13 +8,9 @@
 namespace cps::city {
 namespace {
 
-double unit(std::uint64_t bits) {
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
-
-/// 1 on a flat of the given share of each period, with slanted flanks down to 0.
+/// A trapezoid wave of period 1: 1 on the share `flat` of it, with slanted flanks down to 0.
 double trapezoid(double x, double flat) {
-  const double d = std::abs(x - std::floor(x) - 0.5) * 2;  // 0 in the middle
+  const double d = std::abs(x - std::floor(x) - 0.5) * 2;  // 0 in the middle of the period
   return std::clamp((1 - d - (1 - flat) / 2) / 0.16 + 0.5, 0.0, 1.0);
 }
 
@@ -32,8 +28,8 @@ TextureSet curtain_wall_texture(Stream stream) {
     const double to_edge = std::min({fx * panel_m, (1 - fx) * panel_m, fy * storey_m, (1 - fy) * storey_m,
                                      std::abs(fy - spandrel) * storey_m});
     const Stream pane = substream(stream, 16 + panel + 64 * storey);
-    const double tone = unit(random_bits(pane, 0)), blind = unit(random_bits(pane, 1));
-    const double lean_x = unit(random_bits(pane, 2)) - 0.5, lean_y = unit(random_bits(pane, 3)) - 0.5;
+    const double tone = random_uniform(pane, 0), blind = random_uniform(pane, 1);
+    const double lean_x = random_uniform(pane, 2) - 0.5, lean_y = random_uniform(pane, 3) - 0.5;
     Texel t;
     if (to_edge < mullion_m / 2) {
       t.color = {0.42, 0.43, 0.44};
@@ -42,13 +38,13 @@ TextureSet curtain_wall_texture(Stream stream) {
       return t;
     }
     const bool is_spandrel = fy < spandrel;
-    const double drawn = blind < 0.25 ? 0.35 + 1.4 * blind : 0;  // blinds let down over a share of the pane
+    const double drawn = blind < 0.25 ? 0.35 + 1.4 * blind : 0;  // share of the pane behind a blind
     const bool is_blind = !is_spandrel && fy > 1 - drawn * (1 - spandrel);
     const double light = is_spandrel ? 0.42 : is_blind ? 0.62 : 0.52 + 0.16 * (tone - 0.5);
     t.color = {light, light, light};
-    t.metallic = is_blind ? 0.15 : 0.55;  // coated glass reflects more than bare
+    t.metallic = is_blind ? 0.15 : 0.55;  // coated glass reflects more than bare glass
     t.roughness = is_spandrel ? 0.12 : 0.06;
-    t.height_m = 0.008 * (lean_x * fx + lean_y * fy);  // no two panes hang quite alike
+    t.height_m = 0.008 * (lean_x * fx + lean_y * fy);  // panes differ a little in tilt
     return t;
   });
 }

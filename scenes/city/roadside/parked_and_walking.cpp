@@ -4,7 +4,7 @@
 
 #include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/vehicles/vehicle.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -19,7 +19,7 @@ void park(StandingRoom& room, const KerbSide& kerb, const ModelLibrary& models, 
     const double gap = draws.uniform(0.10, 0.22), space = draws.uniform(0.5, 1.4),
                  turn = draws.uniform(-0.012, 0.012);
     const double reach =
-        2 * model.half_width + 0.06 - mirror_m;  // the mirror towards the pavement overhangs the kerb
+        2 * model.half_width + 0.06 - mirror_m;  // the mirror on the pavement's side overhangs the kerb
     const bool is_at_stop = kerb.bus_stop && s <= kerb.bus_stop->bay_to_m &&
                             s + 2 * model.half_length >= kerb.bus_stop->bay_from_m;
     const bool parked = draws.chance(occupied) && gap + reach <= kerb.parking_m &&
@@ -34,7 +34,7 @@ void park(StandingRoom& room, const KerbSide& kerb, const ModelLibrary& models, 
   }
 }
 
-/// More people where there are shops and towers.
+/// Adds people along a kerb, more where there are shops and towers.
 void walk(StandingRoom& room, const KerbSide& kerb, const ModelLibrary& models, Draws draws) {
   const bool busy = room.plan.kind == BlockKind::closed || room.plan.kind == BlockKind::towers;
   const double spacing = draws.uniform(0.6, 1.8) * (busy ? 16 : 55);
@@ -47,7 +47,7 @@ void walk(StandingRoom& room, const KerbSide& kerb, const ModelLibrary& models, 
   }
 }
 
-/// Along the track on the pavement.
+/// Adds cyclists along a track on the pavement.
 void ride(StandingRoom& room, const Polyline& track, double width_m, const ModelLibrary& models,
           double traffic, Draws draws) {
   if (track.empty()) return;

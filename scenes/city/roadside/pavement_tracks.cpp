@@ -5,14 +5,14 @@
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
 #include "scenes/city/streets/surface/cycle_tracks.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 
 Polyline pavement_track(const StreetNetwork& network, const KerbSide& kerb) {
-  constexpr double shortest_m = 8;
+  constexpr double min_length_m = 8;
   const double width = network.profile(kerb.side).pavement_cycle_m;
-  if (width == 0 || kerb.to - kerb.from < shortest_m) return {};
+  if (width == 0 || kerb.to - kerb.from < min_length_m) return {};
   Polyline line =
       offset(cut(kerb.centre, kerb.from, kerb.to), kerb.half_width + pavement_track_inset_m + width / 2);
   if (!kerb.runs_with_traffic) std::reverse(line.begin(), line.end());

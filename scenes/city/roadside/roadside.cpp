@@ -10,12 +10,12 @@
 #include "scenes/city/roadside/parked_and_walking.h"
 #include "scenes/city/roadside/pavement_tracks.h"
 #include "scenes/city/roadside/tree.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
 
-/// What grows where, each as often as it is named.
+/// Species to draw from; a species is as frequent as it is listed.
 const std::vector<int>& park_trees() {
   static const std::vector<int> trees{lime,  lime,  lime,  lime,   plane, plane, plane, maple, maple, maple,
                                       birch, birch, birch, poplar, pine,  pine,  plum,  shrub, shrub, spruce};
@@ -29,7 +29,7 @@ const std::vector<int>& garden_trees() {
   return trees;
 }
 
-/// Crowns keep out of the room that vehicles need but for this: the outermost leaves.
+/// How far crowns (their outermost leaves) may reach over a lane.
 constexpr double crown_over_lane_m = 0.4;
 
 class Furnisher {
@@ -59,7 +59,8 @@ class Furnisher {
     const int thing = 10 * side.segment + side.reversed;
     if (kerb.bus_stop) add_bus_stop(kerb, Draws{substream(stream, 13000 + thing)});
     Draws draws{substream(stream, 5000 + thing)};
-    if (!has_wires && overhead.kind != OverheadKind::span)  // lamps hang from the wires or are on their masts
+    // With wires, lamps hang from the wires or from their masts.
+    if (!has_wires && overhead.kind != OverheadKind::span)
       light(kerb, profile.lanes_forward + profile.lanes_backward > 2, draws);
     if (kerb.meets_traffic) sign(kerb, draws);
     if (!has_wires) plant_avenue(kerb, draws);
@@ -76,7 +77,7 @@ class Furnisher {
     }
   }
 
-  /// Goods, fences and hedges.
+  /// Places goods, fences and hedges.
   void furnish_lots() {
     Draws draws{substream(stream, 2)};
     for (const Spot& spot : plan.goods_spots) {
@@ -93,18 +94,18 @@ class Furnisher {
     const Model& model = draws.one_of(models.trees[species]);
     const double heading = draws.uniform(0, 2 * std::numbers::pi);
     if (!draws.chance(std::min(1.0, options.tree_density))) return;
-    for (const BuildingPlan& b : plan.buildings) {  // crowns may touch a facade, not grow into it
+    for (const BuildingPlan& b : plan.buildings) {  // crowns may touch a facade, but not reach into it
       const double free_m = distance_to_polygon(b.footprint.polygon(), p);
       scale = std::min(scale, std::max(0.0, free_m + 0.1) / model.crown_radius);
     }
-    for (const KerbSide& kerb : kerbs) {  // nor hang where lorries drive
+    for (const KerbSide& kerb : kerbs) {  // nor reach where lorries drive
       const double free_m = distance_to_line(kerb.centre, p) - kerb.half_width + edge_m(kerb);
       scale = std::min(scale, std::max(0.0, free_m + crown_over_lane_m) / model.crown_radius);
     }
     if (scale > 0.45) room.try_place({&model, p, kerb_height_m, heading, scale});
   }
 
-  /// A line of modules, scaled a little so that they fill it.
+  /// Places modules along a boundary, scaled a little so that they fill it.
   void enclose(const Boundary& boundary) {
     const double total = length(boundary.line);
     const int count = std::max(1, static_cast<int>(std::lround(total / boundary_module_m)));
@@ -186,7 +187,7 @@ class Furnisher {
       const double pick = draws.uniform(0, 1);
       if (pick < 0.2) {
         const double along = angle_of(kerb.direction(s));
-        for (int left = draws.integer(1, 4), row = 0; row < left; ++row)  // at a stand, side by side
+        for (int left = draws.integer(1, 4), row = 0; row < left; ++row)  // side by side at a stand
           room.try_place({&draws.one_of(models.bicycles), kerb.at(s + 0.75 * row, kerb.pavement_m - 1.0),
                           kerb_height_m, along + std::numbers::pi / 2, 1});
       } else if (pick < 0.5)
@@ -199,7 +200,7 @@ class Furnisher {
     }
   }
 
-  /// What lies between the kerb and the nearest lane.
+  /// Width between the kerb and the nearest lane.
   double edge_m(const KerbSide& kerb) const {
     const StreetProfile& profile = network.profile(kerb.side);
     return kerb.side.reversed ? profile.edge_right_m() : profile.edge_left_m();
@@ -242,8 +243,8 @@ std::vector<PlacedModel> furnish(const StreetNetwork& network, int block, const 
   furnisher.furnish_lots();
   furnisher.plant_gardens();
   room.kept_free = std::move(tracks);
-  add_parked_cars_and_people(room, network, kerbs, block, models,
-                             options);  // last: what stands for good knows no day
+  // Last, so that fixed things do not depend on what moves.
+  add_parked_cars_and_people(room, network, kerbs, block, models, options);
   return std::move(room.placed);
 }
 

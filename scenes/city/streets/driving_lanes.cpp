@@ -9,10 +9,10 @@
 namespace cps::city {
 namespace {
 
-constexpr double straight_rad = 0.6;  ///< a smaller change of heading is no turn
+constexpr double straight_rad = 0.6;  ///< a smaller change of heading counts as straight on
 constexpr double arc_step_rad = 0.1;
 
-/// The lanes of one segment by direction, counted from the kerb.
+/// The lanes of a segment: [backward][number from the kerb].
 using SegmentLanes = std::array<std::vector<int>, 2>;
 
 struct LaneEnd {
@@ -31,7 +31,7 @@ double heading_change(const LaneEnd& from, const LaneEnd& to) {
   return std::atan2(cross(from.direction, to.direction), from.direction.dot(to.direction));
 }
 
-/// A cubic with the ends' directions: for ways that hardly turn.
+/// A cubic Bézier curve with the directions of both ends, for links that hardly turn.
 Polyline smooth_link(const LaneEnd& from, const LaneEnd& to) {
   constexpr int steps = 12;
   const double reach = 0.4 * (to.point - from.point).norm();
@@ -44,13 +44,13 @@ Polyline smooth_link(const LaneEnd& from, const LaneEnd& to) {
   return line;
 }
 
-/// Straight on, one arc, straight on; the arc as wide as there is room, at most `max_radius_m`.
+/// A straight line, one arc and a straight line; the arc as wide as possible, at most `max_radius_m`.
 Polyline turn(const LaneEnd& from, const LaneEnd& to, double max_radius_m) {
   const double change = heading_change(from, to), sine = std::sin(change);
   const Vec2 between = to.point - from.point;
   const double before = cross(between, to.direction) / sine, after = cross(from.direction, between) / sine;
   if (std::abs(change) > 0.002 && std::abs(change) < 0.14 && std::min(before, after) > 1)
-    return {from.point, from.point + from.direction * before, to.point};  // where the street itself bends
+    return {from.point, from.point + from.direction * before, to.point};  // the street itself bends here
   if (std::abs(change) < 0.25 || std::abs(change) > 2.8 || std::min(before, after) < 1)
     return smooth_link(from, to);
   const double tangent = std::tan(std::abs(change) / 2);
@@ -68,14 +68,14 @@ Polyline turn(const LaneEnd& from, const LaneEnd& to, double max_radius_m) {
   return line;
 }
 
-/// Bends at the very ends fold the lanes inside them back: takes such points out.
+/// Removes points near the ends where an offset around a bend folds the lane back.
 void drop_folds(Polyline& line) {
-  constexpr double shortest_m = 1;
+  constexpr double min_length_m = 1;
   while (line.size() > 2 && (line[1] - line[0]).dot(line[2] - line[1]) <= 0) line.erase(line.begin() + 1);
-  while (line.size() > 2 && (line[1] - line[0]).norm() < shortest_m) line.erase(line.begin() + 1);
+  while (line.size() > 2 && (line[1] - line[0]).norm() < min_length_m) line.erase(line.begin() + 1);
   const auto last = [&](std::size_t i) { return line[line.size() - 1 - i]; };
   while (line.size() > 2 && (last(0) - last(1)).dot(last(1) - last(2)) <= 0) line.erase(line.end() - 2);
-  while (line.size() > 2 && (last(0) - last(1)).norm() < shortest_m) line.erase(line.end() - 2);
+  while (line.size() > 2 && (last(0) - last(1)).norm() < min_length_m) line.erase(line.end() - 2);
 }
 
 class JunctionLinks {
@@ -99,7 +99,7 @@ class JunctionLinks {
       for (const Side& out : arms)
         if (!(in == out)) link_arms(arriving(in), leaving(out), has_right, has_left);
     }
-    for (const Side& arm : arms) {  // nobody is left without a way on or in
+    for (const Side& arm : arms) {  // every lane gets a way out and a way in
       for (std::size_t i = 0; i < arriving(arm).size(); ++i)
         if (lanes[arriving(arm)[i]].next.empty()) link_to_nearest(arms, arm, i, true);
       for (std::size_t i = 0; i < leaving(arm).size(); ++i)
@@ -126,7 +126,7 @@ class JunctionLinks {
     const double angle = change(in[0], out[0]);
     if (std::abs(angle) < straight_rad) {
       for (std::size_t i = 0; i < std::min(in.size(), out.size()); ++i) add(in[i], out[i]);
-      // Whose lane does not turn here changes lanes, or he would never leave this street.
+      // Lanes without a turn may change lanes, or their traffic could never leave this street.
       for (std::size_t i = 0; i < in.size(); ++i) {
         const bool turns = (i == 0 && has_right) || (i + 1 == in.size() && has_left);
         if (turns) continue;
@@ -138,7 +138,8 @@ class JunctionLinks {
     }
   }
 
-  /// From or to lane `i` of an arm, to or from the arm that lies straightest ahead.
+  /// Links lane `i` of an arm with the arm straightest ahead: onwards from an arriving lane, or into a
+  /// leaving lane.
   void link_to_nearest(const std::vector<Side>& arms, const Side& arm, std::size_t i, bool onwards) {
     double best = 4;
     std::pair<int, int> chosen{-1, -1};
@@ -158,7 +159,7 @@ class JunctionLinks {
 
   void add(int in, int out) {
     const LaneEnd from = end_of(lanes[in].points), to = start_of(lanes[out].points);
-    // At most concentric with the rounded kerb: a wider arc would run over the corner.
+    // At most concentric with the rounded kerb, because a wider arc would cut the corner.
     double kerb = 8;
     for (const double radius : network.junctions[junction].radii)
       if (radius > 0) kerb = std::min(kerb, radius);

@@ -1,16 +1,18 @@
+#include "scenes/city/streets/street_grid.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "scenes/city/draws.h"
-#include "scenes/city/streets/street_network.h"
+#include "scenes/city/streets/junctions.h"
 #include "scenes/city/streets/street_profiles.h"
 
-/// The plan of the streets: two families of lines, straight or gently bent, with pieces left out.
+/// The streets are two families of lines, straight or gently bent, with some pieces left out.
 namespace cps::city {
 namespace {
 
-constexpr double rim_depth_m = 46;  // of the blocks behind the outermost streets
+constexpr double rim_depth_m = 46;  // depth of the blocks outside the outermost streets
 constexpr double bend_step_m = 6;
 
 /// across = base + slope · along + amplitude · sin(wave · along + phase)
@@ -54,7 +56,7 @@ bool too_close(const std::vector<GridLine>& lines, double extent, double min_gap
   return false;
 }
 
-/// Straightens the lines towards an even grid until neighbours keep their distance.
+/// Moves the lines towards a regular grid until neighbours are at least `min_gap_m` apart.
 void keep_apart(std::vector<GridLine>& lines, double extent, double min_gap_m) {
   while (too_close(lines, extent, min_gap_m))
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -66,14 +68,14 @@ void keep_apart(std::vector<GridLine>& lines, double extent, double min_gap_m) {
 }
 
 struct Grid {
-  std::vector<GridLine> rows, columns;  // y of x, x of y
+  std::vector<GridLine> rows, columns;  // y as a function of x, x as a function of y
   int columns_count() const { return static_cast<int>(columns.size()); }
   int node(int row, int column) const { return row * columns_count() + column; }
 
   Vec2 crossing(int row, int column) const {
     Vec2 p(columns[column].base, rows[row].base);
     for (int i = 0; i < 60; ++i)
-      p = Vec2(columns[column](p.y()), rows[row](p.x()));  // slopes ≪ 1: it contracts
+      p = Vec2(columns[column](p.y()), rows[row](p.x()));  // converges, as slopes are far below 1
     return p;
   }
 };
@@ -81,7 +83,7 @@ struct Grid {
 Polyline piece_of(const GridLine& line, bool is_row, const Vec2& from, const Vec2& to) {
   if (line.amplitude == 0) return {from, to};
   const double a = is_row ? from.x() : from.y(), b = is_row ? to.x() : to.y();
-  const double straight_end_m = std::clamp(0.36 * (b - a), 18.0, 32.0);  // junctions are reached straight
+  const double straight_end_m = std::clamp(0.36 * (b - a), 18.0, 32.0);  // junctions lie on straight pieces
   const int steps = std::max(1, static_cast<int>((b - a - 2 * straight_end_m) / bend_step_m));
   Polyline points{from};
   for (int i = 0; i <= steps; ++i) {
@@ -92,7 +94,7 @@ Polyline piece_of(const GridLine& line, bool is_row, const Vec2& from, const Vec
   return points;
 }
 
-/// Lays the segments of one line, leaving some out, and names the streets that remain.
+/// Lays the segments of grid lines, leaving some out, and names the streets that remain.
 class StreetLayer {
  public:
   StreetLayer(StreetNetwork& network, const Grid& grid, std::vector<int>& degree)
@@ -177,9 +179,8 @@ StreetNetwork draw_street_network(const CityOptions& options) {
   const double waviness = draws.chance(pattern.straight_share) ? 0.0 : draws.uniform(0.2, 0.7);
   const double omission_rate = draws.uniform(0.05, 0.3);
   const auto line_count = [&] {
-    return 1 +
-           std::max(pattern.least_blocks,
-                    static_cast<int>(extent / draws.uniform(pattern.spacing_min_m, pattern.spacing_max_m)));
+    return 1 + std::max(pattern.min_blocks, static_cast<int>(extent / draws.uniform(pattern.spacing_min_m,
+                                                                                    pattern.spacing_max_m)));
   };
   Grid grid;
   const int rows = line_count(), columns = line_count();

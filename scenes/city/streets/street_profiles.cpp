@@ -3,14 +3,14 @@
 namespace cps::city {
 namespace {
 
-/// Cycle tracks on both sides in place of the parking bays.
+/// Replaces the parking bays by cycle tracks.
 void lay_cycle_tracks(StreetProfile& p, double width_m) {
   p.parking_left_m = p.parking_right_m = 0;
   p.cycle_right_m = width_m;
   if (p.lanes_backward > 0) p.cycle_left_m = width_m;
 }
 
-/// Wide streets: a median or tram tracks, cycle tracks.
+/// Adds a median, tram tracks or cycle tracks, with the given probabilities.
 void draw_extras(StreetProfile& p, double median, double tram, double cycle, Draws& draws) {
   const double pick = draws.uniform(0, 1), cycle_m = draws.uniform(1.5, 1.85),
                median_m = draws.uniform(1.6, 2.6);
@@ -19,9 +19,9 @@ void draw_extras(StreetProfile& p, double median, double tram, double cycle, Dra
     p.median_m = median_m;
   else
     p.tram_tracks = pick < median + tram;
-  constexpr double least_pavement_m = 4.0;
+  constexpr double min_pavement_m = 4.0;
   const double width_m = draws.uniform(1.4, 1.6);
-  if (p.cycle_right_m == 0 && p.pavement_m >= least_pavement_m && draws.chance(0.5))
+  if (p.cycle_right_m == 0 && p.pavement_m >= min_pavement_m && draws.chance(0.5))
     p.pavement_cycle_m = width_m;
 }
 

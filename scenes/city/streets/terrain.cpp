@@ -52,7 +52,7 @@ Terrain draw_terrain(const CityOptions& options) {
   for (int i = 0; i < count; ++i) {
     const double wavelength_m = draws.uniform(350, 900);
     const double wave_number = 2 * std::numbers::pi / wavelength_m;
-    // The first wave has most of the slope: sums of equals seldom come near their bound.
+    // The first wave has most of the slope, because a sum of equal waves rarely comes near its bound.
     const double share = i == 0 ? 0.7 : 0.15;
     terrain.waves.push_back({Vec2(std::cos(bearing), std::sin(bearing)) * wave_number,
                              share * steepest / wave_number, draws.uniform(0, 2 * std::numbers::pi)});
@@ -69,7 +69,7 @@ void lift_onto(Mesh& mesh, const Terrain& terrain) {
       const Vec2 plan(p.x(), -p.z());
       const Vec2 slope = terrain.slope(plan);
       p.y() += static_cast<float>(terrain.height_m(plan));
-      // A shear along the vertical: normals go with the transposed inverse.
+      // The map is a vertical shear, so normals transform by its inverse transpose.
       n = Vec3(n.x() - slope.x() * n.y(), n.y(), n.z() + slope.y() * n.y()).normalized().cast<float>();
     }
 }
@@ -82,7 +82,7 @@ void drape(Mesh& mesh, const Terrain& terrain, double longest_edge_m) {
 
 std::vector<Vec3> on_terrain(const Polyline& line, const Terrain& terrain) {
   std::vector<Vec3> points;
-  for (const Vec2& p : terrain.waves.empty() ? line : subdivided(line, longest_road_edge_m))
+  for (const Vec2& p : terrain.waves.empty() ? line : subdivided(line, max_road_edge_m))
     points.push_back(lift(p, terrain.height_m(p)));
   return points;
 }

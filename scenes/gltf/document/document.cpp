@@ -6,10 +6,11 @@
 namespace cps::gltf {
 namespace {
 
-/// The first line, without control characters, short enough to read: names in a broken file are garbage too.
+/// The first line of the text, without control characters and cut to 400 bytes: names in a broken file may be
+/// garbage.
 std::string one_line(const std::string& text) {
-  constexpr std::size_t longest = 400;
-  std::string line = text.substr(0, std::min(text.find('\n'), longest));
+  constexpr std::size_t max_length = 400;
+  std::string line = text.substr(0, std::min(text.find('\n'), max_length));
   std::erase_if(line, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
   return line;
 }

@@ -6,7 +6,7 @@
 namespace cps::gltf {
 namespace {
 
-bool is_read(const std::string& extension) {
+bool is_supported(const std::string& extension) {
   constexpr std::array names = {
       "EXT_mesh_gpu_instancing", "EXT_texture_webp",        "KHR_draco_mesh_compression",
       "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
@@ -23,15 +23,15 @@ void check_required_extensions(const std::filesystem::path& file, const nlohmann
   if (!required->is_array()) refuse(file, "extensionsRequired", "must be an array");
   for (const nlohmann::json& name : *required) {
     if (!name.is_string()) refuse(file, "extensionsRequired", "must hold names");
-    if (!is_read(name))
+    if (!is_supported(name))
       refuse(file, "extensionsRequired",
              name.get<std::string>() + " is not supported: export the file again without it");
   }
 }
 
-void warn_of_unread_extensions(Document& document) {
+void warn_of_ignored_extensions(Document& document) {
   for (const std::string& name : document.model.extensionsUsed)
-    if (!is_read(name)) warn(document, name + " is not supported and left out");
+    if (!is_supported(name)) warn(document, name + " is not supported and left out");
 }
 
 }  // namespace cps::gltf

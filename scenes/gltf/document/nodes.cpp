@@ -68,7 +68,7 @@ std::vector<PlacedNode> place_nodes(const Document& document, int scene) {
     stack.pop_back();
     const std::string where = element("nodes", index);
     if (!in_range(index, nodes)) refuse(document, where, "does not exist");
-    if (is_placed[index]) refuse(document, where, "is reached twice, glTF's nodes must form trees");
+    if (is_placed[index]) refuse(document, where, "is reached twice: the nodes must form trees");
     is_placed[index] = true;
     placed.push_back({index, world_from_parent * local_transform(document, nodes[index], where)});
     push_reversed(nodes[index].children, placed.back().world_from_node);

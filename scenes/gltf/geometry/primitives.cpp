@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "scenes/gltf/document/attributes.h"
+#include "scenes/gltf/geometry/attributes.h"
 #include "scenes/gltf/geometry/morphs.h"
 #include "scenes/gltf/geometry/normals.h"
 #include "scenes/gltf/geometry/skins.h"
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> read_corners(Document& document, const tinygltf::Prim
   return triangle_corners(document, primitive.mode, indices, where);
 }
 
-/// Every vertex has the coordinates its material asks for, zeros if need be.
+/// Gives every vertex the texture coordinates that its material uses, zeros if the file has none.
 void complete_uv(PrimitiveReader& reader, const Material& material, Mesh& mesh) {
   const auto needs = [&](int set) {
     for (const TextureSlot* slot : texture_slots(material))
@@ -43,19 +43,19 @@ void complete_uv(PrimitiveReader& reader, const Material& material, Mesh& mesh) 
   if (mesh.uv1.empty() && needs(1)) mesh.uv1.assign(mesh.positions.size(), Eigen::Vector2f::Zero());
 }
 
-/// Normals and tangents, made where the file has none or broken ones.
+/// Makes the normals and tangents that are missing or broken.
 void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& mesh) {
   if (mesh.normals.empty()) {
     reserve_memory(reader.document, reader.where, mesh.triangles.size(), 3 * 64);
     make_flat_normals(mesh);
   } else if (const std::size_t repaired = repair_normals(mesh)) {
     warn(reader.document,
-         reader.where + ".NORMAL: " + std::to_string(repaired) + " without direction, made anew");
+         reader.where + ".NORMAL: " + std::to_string(repaired) + " are zero or not finite, made anew");
   }
   const TextureSlot& normal_map =
       material.normal_texture.texture != -1 ? material.normal_texture : material.clearcoat_normal_texture;
   if (normal_map.texture == -1) {
-    mesh.tangents.clear();  // of no use
+    mesh.tangents.clear();  // only normal maps use them
     return;
   }
   if (!normalize_tangents(mesh)) {
@@ -65,7 +65,7 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
   if (mesh.tangents.empty()) make_tangents(mesh, normal_map);
 }
 
-/// Bends the mesh to its joints; without JOINTS_0 and WEIGHTS_0 it stays as it is.
+/// Deforms the mesh by its joints. Without JOINTS_0 and WEIGHTS_0 it only warns.
 void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_transforms, Mesh& mesh) {
   const auto joints = read_finite_attribute<4>(reader, "JOINTS_0");
   const auto weights = read_finite_attribute<4>(reader, "WEIGHTS_0");
@@ -84,7 +84,7 @@ void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_
   blend_to_joints(mesh, joints, weights, joint_transforms);
 }
 
-/// Weights and transforms may lead beyond what a float holds.
+/// Refuses positions and coordinates that morph weights or joints made too large for a float.
 void check_finite(const PrimitiveReader& reader, const Mesh& mesh) {
   const auto check = [&](const auto& values, const char* name) {
     for (const auto& value : values)

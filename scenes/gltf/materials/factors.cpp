@@ -5,9 +5,9 @@
 
 namespace cps::gltf {
 
-float factor(Document& document, double value, double largest, const std::string& where) {
+float factor(Document& document, double value, double max, const std::string& where) {
   if (!std::isfinite(value)) refuse(document, where, "is not a finite number");
-  const double clamped = std::clamp(value, 0.0, largest);
+  const double clamped = std::clamp(value, 0.0, max);
   if (clamped != value) warn(document, where + " is out of range, taken as " + std::to_string(clamped));
   return static_cast<float>(clamped);
 }

@@ -7,10 +7,11 @@
 
 namespace cps::gltf {
 
-/// `value` if it lies in [0, largest]; else the nearest that does, with a warning.
-float factor(Document& document, double value, double largest, const std::string& where);
+/// `value` clamped to [0, max], with a warning if that changed it. Refuses a value that is not finite.
+float factor(Document& document, double value, double max, const std::string& where);
 
-/// The numbers in extension property `key` (an array of `size`, or one number for size 1), or `missing`.
+/// The number or array of numbers in property `key` of an extension; `missing` if the property is absent.
+/// Refuses another count of numbers than `missing` has.
 std::vector<double> extension_numbers(const Document& document, const tinygltf::Value& extension,
                                       const char* key, std::vector<double> missing, const std::string& where);
 

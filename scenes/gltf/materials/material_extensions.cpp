@@ -6,15 +6,15 @@
 namespace cps::gltf {
 namespace {
 
-/// An extension of one material, and where it stands for messages.
+/// An extension of a material; `where` is its JSON path, for messages.
 struct Extension {
   MaterialTable& table;
   const tinygltf::Value& value;
   std::string where;
 
-  float number(const char* key, double missing, double largest) const {
+  float number(const char* key, double missing, double max) const {
     const double found = extension_numbers(table.document, value, key, {missing}, where)[0];
-    return factor(table.document, found, largest, where + "." + key);
+    return factor(table.document, found, max, where + "." + key);
   }
   TextureSlot texture(const char* key, bool srgb = false) const {
     return extension_texture(table, value, key, srgb, where);
@@ -24,7 +24,7 @@ struct Extension {
 void read_ior(const Extension& from, Material& to) {
   to.ior = from.number("ior", 1.5, 100);
   if (to.ior > 0 && to.ior < 1) {
-    warn(from.table.document, from.where + ".ior is below that of air, taken as 1");
+    warn(from.table.document, from.where + ".ior is below 1, taken as 1");
     to.ior = 1;
   }
 }

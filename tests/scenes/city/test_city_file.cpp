@@ -58,7 +58,7 @@ void check_primitive(const tinygltf::Model& model, const tinygltf::Primitive& pr
 
 }  // namespace
 
-TEST_CASE("a city's file is a function of its options, and reads back sane") {
+TEST_CASE("the same options give the same city file, and it is valid glTF") {
   const TemporaryFolder folder;
   const fs::path first = folder.path / "first.glb", again = folder.path / "again.glb",
                  other = folder.path / "other.glb";
@@ -128,14 +128,39 @@ TEST_CASE("a city's file is a function of its options, and reads back sane") {
   CHECK(km == Approx(summary.lane_km).epsilon(1e-4));
 }
 
-TEST_CASE("styles have names, and an unknown one is refused with the list of them") {
+TEST_CASE("a city's summary as text") {
+  CitySummary summary;
+  summary.style = CityStyle::suburb;
+  summary.streets = 15;
+  summary.junctions = 40;
+  summary.blocks = 26;
+  summary.buildings = 610;
+  summary.trees = 2166;
+  summary.cars = 133;
+  summary.in_traffic = 69;
+  summary.people = 90;
+  summary.furniture = 3497;
+  summary.lanes = 374;
+  summary.lane_km = 11.46;
+  summary.triangles = 619'000;
+  summary.instanced_triangles = 7'284'000;
+  summary.bytes = 37'460'000;
+  CHECK(summary.brief() ==
+        "suburb: 15 streets, 40 junctions, 26 blocks, 610 buildings, 2166 trees, 133 parked cars, 69 "
+        "vehicles in "
+        "traffic, 90 people, 3497 pieces of street furniture\n"
+        "374 lanes, 11.5 km in all\n"
+        "0.62 M triangles (7.28 M with instances), 37.5 MB");
+}
+
+TEST_CASE("an unknown style is refused with a list of the styles") {
   for (const std::string& name : city_style_names()) CHECK(to_string(city_style_from(name)) == name);
   CHECK_THROWS_WITH(
       city_style_from("village"),
       "city style: village is none; choose one of european, downtown, suburb, industrial, mixed");
 }
 
-TEST_CASE("every style's file is a function of its options and names its style", "[slow]") {
+TEST_CASE("the same options give the same file in every style, and the file names its style", "[slow]") {
   const TemporaryFolder folder;
   std::set<std::string> different;
   for (const std::string& name : city_style_names()) {
@@ -153,7 +178,7 @@ TEST_CASE("every style's file is a function of its options and names its style",
   CHECK(different.size() == 5);
 }
 
-TEST_CASE("what cannot be made is refused in one line and leaves no file") {
+TEST_CASE("invalid options and unwritable files are refused and leave no file") {
   const TemporaryFolder folder;
   const fs::path file = folder.path / "city.glb";
   for (const CityOptions& bad : {CityOptions{.extent_m = 20}, CityOptions{.extent_m = std::nan("")},

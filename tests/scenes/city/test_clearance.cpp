@@ -5,6 +5,7 @@
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/street_grid.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int seeds = 6, seeds_per_style = 2;
 
-/// Materials and models do not decide where things stand: one set serves all seeds.
+/// Where things stand does not depend on materials and models, so all seeds share one set.
 struct Catalogue {
   GlbWriter writer;
   Materials materials = make_materials(writer, 0);
@@ -28,7 +29,7 @@ const Catalogue& catalogue() {
 constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
                                     CityStyle::industrial, CityStyle::mixed};
 
-/// A drawn city's plan, without its meshes.
+/// The plan of a city, without meshes.
 struct City {
   CityOptions options;
   StreetNetwork network = draw_street_network(options);
@@ -57,7 +58,7 @@ bool is_near(const Polyline& lane, const Polygon& ground) {
 
 }  // namespace
 
-TEST_CASE("every lane of every style is free of cars, trees, poles and houses") {
+TEST_CASE("in every style, lanes are free of parked cars, trees, poles and buildings") {
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < seeds_per_style; ++seed) {
       INFO(to_string(style) << " " << seed);
@@ -87,7 +88,7 @@ TEST_CASE("every lane of every style is free of cars, trees, poles and houses") 
     }
 }
 
-TEST_CASE("no crown hangs into the room over a lane") {
+TEST_CASE("no tree crown reaches over a lane") {
   int trees = 0;
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < seeds_per_style; ++seed) {
@@ -110,7 +111,7 @@ TEST_CASE("no crown hangs into the room over a lane") {
   CHECK(trees > 1000);
 }
 
-TEST_CASE("nothing stands in anything else, in any style") {
+TEST_CASE("in every style, buildings, pads and models do not overlap") {
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < seeds_per_style; ++seed) {
       INFO(to_string(style) << " " << seed);
@@ -145,7 +146,7 @@ TEST_CASE("nothing stands in anything else, in any style") {
     }
 }
 
-TEST_CASE("cycle tracks on pavements leave room to walk, and only cyclists are on them") {
+TEST_CASE("cycle tracks on pavements leave room for pedestrians and hold only cyclists") {
   int tracks = 0, riders = 0;
   for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -175,7 +176,7 @@ TEST_CASE("cycle tracks on pavements leave room to walk, and only cyclists are o
   CHECK(riders > 30);
 }
 
-TEST_CASE("each style has what it is named for") {
+TEST_CASE("each style has mostly the kinds of blocks it is named for") {
   const auto shares = [](CityStyle style) {
     std::map<BlockKind, double> shares;
     int blocks = 0;
@@ -196,7 +197,7 @@ TEST_CASE("each style has what it is named for") {
     CHECK(mixed[kind] > 0.08);
 }
 
-TEST_CASE("the ends of houses in a row are blank, free ends have windows") {
+TEST_CASE("shared ends of houses are blank walls, free ends have windows") {
   int shared = 0, open = 0;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const StreetNetwork network = draw_street_network({.seed = seed});
@@ -207,7 +208,7 @@ TEST_CASE("the ends of houses in a row are blank, free ends have windows") {
           const bool blank = at_end ? house.party_end : house.party_start;
           const Footprint& f = house.footprint;
           const std::size_t i = at_end ? f.front.size() - 1 : 0;
-          double nearest = 1e9;  // from the middle of this end to another house
+          double nearest = 1e9;  // distance from the middle of this end to another house
           for (const BuildingPlan& other : plan.buildings)
             if (&other != &house)
               nearest =
@@ -222,7 +223,7 @@ TEST_CASE("the ends of houses in a row are blank, free ends have windows") {
   CHECK(open > 100);
 }
 
-TEST_CASE("the surroundings stay outside the rim and end all views") {
+TEST_CASE("the surroundings stay outside the built area and reach to the horizon") {
   const CityOptions options{.seed = 4};
   const StreetNetwork network = draw_street_network(options);
   const Surroundings around = surroundings(network, catalogue().materials, catalogue().models, options);
@@ -251,6 +252,10 @@ TEST_CASE("tree density and parked cars follow the options") {
   };
   CHECK(count({.seed = 5, .tree_density = 0}, ModelKind::tree) == 0);
   CHECK(count({.seed = 5, .parked_cars = 0}, ModelKind::car) == 0);
-  // One thing's change does not reshuffle another.
+  const int trees = count({.seed = 5}, ModelKind::tree), cars = count({.seed = 5}, ModelKind::car);
+  CHECK(count({.seed = 5, .tree_density = 0.5}, ModelKind::tree) < 0.7 * trees);
+  CHECK(count({.seed = 5, .parked_cars = 0.5}, ModelKind::car) < 0.7 * cars);
+  CHECK(count({.seed = 5, .parked_cars = 2}, ModelKind::car) > 1.1 * cars);
+  // Changing one thing does not change another.
   CHECK(count({.seed = 5, .tree_density = 0}, ModelKind::car) == count({.seed = 5}, ModelKind::car));
 }

@@ -4,13 +4,15 @@
 #include <set>
 
 #include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/junctions.h"
+#include "scenes/city/streets/street_grid.h"
 
 using namespace cps;
 using namespace cps::city;
 
 namespace {
 
-/// All styles in turn.
+/// A network of the style that `seed` selects.
 StreetNetwork network_of(std::uint64_t seed, double extent_m = 400) {
   return draw_street_network({.seed = seed, .style = static_cast<CityStyle>(seed % 5), .extent_m = extent_m});
 }
@@ -26,7 +28,7 @@ double sharpest_kink(const Polyline& line) {
   return sharpest;
 }
 
-/// How many lanes one can drive to from `first`, itself included.
+/// The number of lanes reachable from `first`, itself included.
 std::size_t reachable_from(const std::vector<DrivingLane>& lanes, int first) {
   std::vector<bool> seen(lanes.size(), false);
   std::vector<int> open{first};
@@ -45,7 +47,7 @@ std::size_t reachable_from(const std::vector<DrivingLane>& lanes, int first) {
 
 }  // namespace
 
-TEST_CASE("lanes have real widths, keep to the right and stay on the carriageway") {
+TEST_CASE("lanes have realistic widths, keep to the right and stay on the carriageway") {
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
     INFO("seed " << seed);
     const StreetNetwork network = network_of(seed);
@@ -79,7 +81,7 @@ TEST_CASE("lanes have real widths, keep to the right and stay on the carriageway
   }
 }
 
-TEST_CASE("no lane comes near a kerb") {
+TEST_CASE("no lane reaches over a kerb") {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     INFO("seed " << seed);
     const StreetNetwork network = network_of(seed);
@@ -94,7 +96,7 @@ TEST_CASE("no lane comes near a kerb") {
   }
 }
 
-TEST_CASE("lanes go on where they end, without a step or a kink") {
+TEST_CASE("successors of a lane continue it without a gap or a kink") {
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
     INFO("seed " << seed);
     const std::vector<DrivingLane> all = driving_lanes(network_of(seed));
@@ -110,7 +112,7 @@ TEST_CASE("lanes go on where they end, without a step or a kink") {
   }
 }
 
-TEST_CASE("every lane can be reached from every other") {
+TEST_CASE("every lane is reachable from every other") {
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
     INFO("seed " << seed);
     const std::vector<DrivingLane> all = driving_lanes(network_of(seed));
@@ -119,7 +121,7 @@ TEST_CASE("every lane can be reached from every other") {
   }
 }
 
-TEST_CASE("every lane can be reached, over twenty seeds of every style", "[slow]") {
+TEST_CASE("every lane is reachable from every other, over twenty seeds of every style", "[slow]") {
   for (const std::string& style : city_style_names())
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       INFO(style << " " << seed);

@@ -15,7 +15,7 @@
 #include "scenes/city/roadside/vehicles/lorry.h"
 #include "scenes/city/roadside/vehicles/two_wheeler.h"
 #include "scenes/city/roadside/vehicles/vehicle.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -36,9 +36,9 @@ Box bounds(const Mesh& mesh) {
   return box;
 }
 
-/// Arrays of equal length, unit normals, indices in range, finite coordinates, triangles with area, and
-/// normals on the side that the winding calls the front.
-void check_sane(const Mesh& mesh, double least_agreement) {
+/// Checks arrays of equal length, unit normals, indices in range, finite coordinates, and that each normal's
+/// cosine with the triangle's front direction is at least `min_cosine`.
+void check_sane(const Mesh& mesh, double min_cosine) {
   INFO(mesh.name);
   for (const auto& [material, s] : mesh.surfaces) {
     REQUIRE(s.normals.size() == s.positions.size());
@@ -57,7 +57,7 @@ void check_sane(const Mesh& mesh, double least_agreement) {
                             &c = s.positions[s.indices[t + 2]];
       const Eigen::Vector3f face = (b - a).cross(c - a).normalized();
       for (int k = 0; k < 3; ++k)
-        if (face.dot(s.normals[s.indices[t + k]]) < least_agreement)
+        if (face.dot(s.normals[s.indices[t + k]]) < min_cosine)
           FAIL_CHECK("triangle " << t / 3 << " is inside out");
     }
   }
@@ -87,7 +87,7 @@ Materials any_materials() {
 
 }  // namespace
 
-TEST_CASE("vehicles have their class's size, stand on the ground and are not inside out") {
+TEST_CASE("vehicles have the size of their class, stand on the ground and are not inside out") {
   for (const VehicleClass& c : vehicle_classes()) {
     Mesh car = vehicle(c, any_materials(), 20);
     check_sane(car, -0.05);
@@ -101,7 +101,7 @@ TEST_CASE("vehicles have their class's size, stand on the ground and are not ins
   }
 }
 
-TEST_CASE("buses and two-wheelers have real sizes, stand on the ground and are not inside out") {
+TEST_CASE("buses and two-wheelers have realistic sizes, stand on the ground and are not inside out") {
   const Materials m = any_materials();
   const Mesh coach = bus(m, 23);
   check_sane(coach, -0.05);
@@ -129,16 +129,16 @@ TEST_CASE("buses and two-wheelers have real sizes, stand on the ground and are n
   }
 }
 
-TEST_CASE("the classes' shares make a whole") {
+TEST_CASE("the shares of the vehicle classes sum to 1") {
   double whole = 0;
   for (const VehicleClass& c : vehicle_classes()) whole += c.share;
   CHECK(whole == Approx(1));
 }
 
-TEST_CASE("trees have trunks and crowns of their species' size") {
+TEST_CASE("trees have the size of their species") {
   for (const TreeSpecies& species : tree_species()) {
     const Mesh grown = tree(species, 1, 2, make_stream(1, species.name));
-    check_sane(grown, -1.01);  // leaves are lit by bent normals
+    check_sane(grown, -1.01);  // normals of leaves are bent
     const Box box = bounds(grown);
     CHECK(box.high.y() > 0.85 * species.height_m);
     CHECK(box.high.y() < 1.25 * species.height_m + 0.5);
@@ -148,7 +148,7 @@ TEST_CASE("trees have trunks and crowns of their species' size") {
   }
 }
 
-TEST_CASE("leaf cards turn their front to where their normal points") {
+TEST_CASE("the winding of leaf cards agrees with their normals") {
   const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
   const Surface& leaves = grown.surfaces.at(1);
   int agreeing = 0;
@@ -160,7 +160,7 @@ TEST_CASE("leaf cards turn their front to where their normal points") {
   CHECK(agreeing == count);
 }
 
-TEST_CASE("light varies over a leaf card: its corners' normals differ, and it is folded") {
+TEST_CASE("leaf cards are folded and have different normals at their corners") {
   const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
   const Surface& leaves = grown.surfaces.at(1);
   double spread_deg = 0, fold_deg = 0;
@@ -182,7 +182,7 @@ TEST_CASE("light varies over a leaf card: its corners' normals differ, and it is
   CHECK(fold_deg < 35);
 }
 
-TEST_CASE("houses have storeys of real height and no face inside out") {
+TEST_CASE("houses have storeys of realistic height and no face inside out") {
   for (int i = 0; i < 60; ++i) {
     BuildingPlan plan;
     plan.footprint = i % 3 == 0 ? make_footprint({{0, 0}, {18, 0}, {18.5, 17}}, 11)
@@ -202,7 +202,7 @@ TEST_CASE("houses have storeys of real height and no face inside out") {
   }
 }
 
-TEST_CASE("no sill or threshold lies in the same face as the wall below it") {
+TEST_CASE("sills and thresholds lie clearly above the wall's face below them") {
   Materials m{};  // every other material is 0
   m.plaster = {{1, 1}};
   m.trim = 2;
@@ -215,7 +215,7 @@ TEST_CASE("no sill or threshold lies in the same face as the wall below it") {
   Draws draws{make_stream(9, "facade")};
   add_facade(mesh, {{0, 0}, {12, 0}, 0.12, 6.1, {0.12, 3.1}, 6.1}, style, GroundFloor::entrance, true, m,
              draws);
-  const auto tops = [&](MaterialId material) {  // faces that look up: middle and height
+  const auto tops = [&](MaterialId material) {  // centroids of faces that look up
     std::vector<Eigen::Vector3f> found;
     const Surface& s = mesh.surfaces[material];
     for (std::size_t t = 0; t < s.indices.size(); t += 3)
@@ -237,7 +237,7 @@ TEST_CASE("no sill or threshold lies in the same face as the wall below it") {
   CHECK(near >= 16);
 }
 
-TEST_CASE("towers, halls and garages have real heights and no face inside out") {
+TEST_CASE("towers, halls and garages have realistic heights and no face inside out") {
   for (int i = 0; i < 60; ++i) {
     INFO(i);
     BuildingPlan plan;
@@ -266,7 +266,7 @@ TEST_CASE("towers, halls and garages have real heights and no face inside out") 
   }
 }
 
-TEST_CASE("people and lorries have real sizes and stand on the ground") {
+TEST_CASE("people and lorries have realistic sizes and stand on the ground") {
   const Materials m = any_materials();
   for (int i = 0; i < 20; ++i) {
     const Mesh walker = person(m, substream(make_stream(9, "person"), i));
@@ -283,7 +283,7 @@ TEST_CASE("people and lorries have real sizes and stand on the ground") {
   CHECK(bounds(vehicle).high.z() < lorry_width_m / 2 + 0.14);  // with its mirrors
 }
 
-TEST_CASE("fences and goods have real sizes and stand on the ground") {
+TEST_CASE("fences and goods have realistic sizes and stand on the ground") {
   const Materials m = any_materials();
   for (const Mesh& mesh : {picket_fence(m), mesh_fence(m), low_wall(m), high_wall(m)}) {
     check_sane(mesh, 0.9);
@@ -299,7 +299,7 @@ TEST_CASE("fences and goods have real sizes and stand on the ground") {
   for (const Mesh& mesh : {container_stack(m), pallets(m), silo(m)}) check_sane(mesh, -0.05);
 }
 
-TEST_CASE("masts and bus stops have real sizes and stand on the pavement") {
+TEST_CASE("masts and bus stops have realistic sizes and stand on the pavement") {
   const Materials m = any_materials();
   const Mesh shelter = bus_shelter(m), stop = bus_stop_sign(m), wood = telegraph_mast(m),
              steel = span_mast(m);
@@ -315,7 +315,7 @@ TEST_CASE("masts and bus stops have real sizes and stand on the pavement") {
   CHECK(bounds(steel).high.y() == Approx(7.55).margin(0.05));
 }
 
-TEST_CASE("street furniture has real sizes and stands on the pavement") {
+TEST_CASE("street furniture has realistic sizes and stands on the pavement") {
   const Materials m = any_materials();
   const Mesh lamp = street_lamp(m, 8, 1.2), box = switch_box(m), light = traffic_light(m, true);
   for (const Mesh* mesh : {&lamp, &box, &light}) check_sane(*mesh, -0.05);

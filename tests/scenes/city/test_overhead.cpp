@@ -5,7 +5,8 @@
 #include "scenes/city/roadside/furniture/signals.h"
 #include "scenes/city/roadside/overhead/overhead.h"
 #include "scenes/city/roadside/overhead/tram_wires.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/street_grid.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/tram_tracks.h"
 
 using namespace cps;
@@ -23,7 +24,7 @@ Materials wire_materials() {
 
 }  // namespace
 
-TEST_CASE("wires hang between masts on the pavements, above everything that drives") {
+TEST_CASE("masts stand on pavements and wires hang above all vehicles") {
   for (const CityStyle style : {CityStyle::european, CityStyle::suburb, CityStyle::industrial}) {
     INFO(to_string(style));
     int masts = 0, wires = 0;
@@ -57,7 +58,7 @@ TEST_CASE("wires hang between masts on the pavements, above everything that driv
   }
 }
 
-TEST_CASE("a tram's contact wires hang over its tracks, held at every pair of masts") {
+TEST_CASE("tram contact wires hang over the tracks of streets with tram masts") {
   int streets = 0, bare = 0, over_tracks = 0;
   for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -95,7 +96,7 @@ TEST_CASE("a tram's contact wires hang over its tracks, held at every pair of ma
   CHECK(over_tracks > 1000);
 }
 
-TEST_CASE("arms that face each other show the same light, those across the other") {
+TEST_CASE("opposite arms of a junction show the same light, crossing arms the other") {
   int pairs = 0, lights = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const CityOptions options{.seed = seed, .style = CityStyle::downtown};

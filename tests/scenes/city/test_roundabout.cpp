@@ -3,7 +3,9 @@
 #include <set>
 
 #include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/junctions.h"
 #include "scenes/city/streets/roundabout.h"
+#include "scenes/city/streets/street_grid.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -19,7 +21,7 @@ constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, Ci
 
 }  // namespace
 
-TEST_CASE("there are cities with roundabouts and without, and no two roundabouts are neighbours") {
+TEST_CASE("some cities have roundabouts and some have none, and no two roundabouts are neighbours") {
   for (const CityStyle style : all_styles) {
     INFO(to_string(style));
     int with = 0, without = 0;
@@ -33,7 +35,7 @@ TEST_CASE("there are cities with roundabouts and without, and no two roundabouts
       }
       ++(count > 0 ? with : without);
     }
-    if (style != CityStyle::downtown) CHECK(with > 0);  // wide streets leave no room for them
+    if (style != CityStyle::downtown) CHECK(with > 0);  // wide streets leave too little room
     CHECK(without > 0);
   }
 }
@@ -67,7 +69,8 @@ TEST_CASE("traffic circles a roundabout anticlockwise, clear of its island and o
 }
 
 TEST_CASE(
-    "where wide streets meet a roundabout has two lanes, and who comes from the inner one keeps inside") {
+    "a roundabout where wide streets meet has two lanes, and traffic from an inner lane uses the inner "
+    "lane") {
   int inner = 0, outer = 0;
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < 16; ++seed) {
@@ -97,7 +100,7 @@ TEST_CASE(
   CHECK(outer > 20);
 }
 
-TEST_CASE("at a roundabout every arm that is left leads to every arm that is entered") {
+TEST_CASE("at a roundabout every arriving arm is linked to every other arm with a leaving lane") {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const StreetNetwork network = network_of(CityStyle::suburb, seed);
     const std::vector<DrivingLane> lanes = driving_lanes(network);
@@ -121,7 +124,7 @@ TEST_CASE("at a roundabout every arm that is left leads to every arm that is ent
   }
 }
 
-TEST_CASE("kerbs around a roundabout are parallel rings at their radius") {
+TEST_CASE("kerbs around a roundabout follow its outer radius") {
   int rings = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const StreetNetwork network = network_of(CityStyle::industrial, seed);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "scenes/city/streets/junctions.h"
+#include "scenes/city/streets/street_grid.h"
 #include "scenes/city/streets/street_network.h"
 
 using namespace cps;
@@ -10,14 +12,14 @@ using namespace cps::city;
 
 namespace {
 
-/// All styles in turn.
+/// A network of the style that `seed` selects.
 StreetNetwork network_of(std::uint64_t seed, double extent_m = 400) {
   return draw_street_network({.seed = seed, .style = static_cast<CityStyle>(seed % 5), .extent_m = extent_m});
 }
 
 }  // namespace
 
-TEST_CASE("every seed gives a planar network with enough streets to split") {
+TEST_CASE("every seed gives a planar network with enough streets for splits") {
   for (std::uint64_t seed = 0; seed < 25; ++seed) {
     INFO("seed " << seed);
     const StreetNetwork network = network_of(seed);
@@ -67,11 +69,11 @@ TEST_CASE("kerbs of one block are parallel rings with rounded corners") {
       CHECK((kerb.points[i] - back.points[i]).norm() == Approx(0.15).epsilon(0.03));
     CHECK(signed_area(kerb.points) > signed_area(back.points));
     CHECK(std::count(kerb.corner.begin(), kerb.corner.end(), true) >=
-          24);  // three corners at least, eight pieces each
+          24);  // at least three corners of eight pieces each
   }
 }
 
-TEST_CASE("seeds are different places") {
+TEST_CASE("different seeds give different networks") {
   const StreetNetwork a = network_of(1), b = network_of(2);
   CHECK((a.rim[0] - b.rim[0]).norm() > 1);
   CHECK(a.junctions.size() + a.blocks.size() * 1000 + a.streets.size() * 1000000 !=

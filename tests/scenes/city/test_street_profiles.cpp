@@ -3,6 +3,7 @@
 
 #include "scenes/city/geometry/nearest_station.h"
 #include "scenes/city/streets/driving_lanes.h"
+#include "scenes/city/streets/street_grid.h"
 #include "scenes/city/streets/street_profiles.h"
 #include "scenes/city/streets/surface/cycle_tracks.h"
 #include "scenes/city/streets/surface/median.h"
@@ -24,7 +25,7 @@ constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, Ci
 
 }  // namespace
 
-TEST_CASE("bays, cycle tracks, lanes and median lie side by side from kerb to kerb") {
+TEST_CASE("parking bays, cycle tracks, lanes and median fill the carriageway without overlap") {
   int cycles = 0, medians = 0, trams = 0;
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -51,7 +52,7 @@ TEST_CASE("bays, cycle tracks, lanes and median lie side by side from kerb to ke
   CHECK(trams > 20);
 }
 
-TEST_CASE("crossings of streets with a median have refuges, clear of lanes and of the crossing itself") {
+TEST_CASE("crossings of streets with a median have refuge islands, clear of lanes and of the crossing") {
   int noses = 0;
   for (const CityStyle style : {CityStyle::european, CityStyle::downtown})
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -81,7 +82,7 @@ TEST_CASE("crossings of streets with a median have refuges, clear of lanes and o
   CHECK(noses > 20);
 }
 
-TEST_CASE("tram tracks lie in the innermost lanes, run with the traffic and keep their gauge") {
+TEST_CASE("tram tracks lie in the innermost lanes, run with the traffic and have the right gauge") {
   Materials m{};
   m.rail = 1;
   m.tar = 2;
@@ -111,7 +112,7 @@ TEST_CASE("tram tracks lie in the innermost lanes, run with the traffic and keep
       }
       CHECK(beside == static_cast<int>(network.streets[track.street].segments.size()));
       Mesh rails = tram_rails(track, m);
-      double inner = 1e9;  // the inner faces of the rails' heads, from the middle
+      double inner = 1e9;  // distance of the rails' inner faces from the middle
       for (const Eigen::Vector3f& p : rails.surfaces[m.rail].positions)
         inner = std::min(inner, distance_to_line(track.centre, {p.x(), -p.z()}));
       CHECK(2 * inner == Approx(tram_gauge_m).margin(0.01));
@@ -120,7 +121,7 @@ TEST_CASE("tram tracks lie in the innermost lanes, run with the traffic and keep
   CHECK(tracks > 4);
 }
 
-TEST_CASE("a median keeps off lanes and junctions") {
+TEST_CASE("a median does not reach into lanes, including those across junctions") {
   const Materials m{};
   int medians = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {

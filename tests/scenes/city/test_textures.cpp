@@ -6,20 +6,20 @@
 using namespace cps;
 using namespace cps::city;
 
-TEST_CASE("noise repeats after its period and has no step at the seam") {
+TEST_CASE("noise repeats with its period and is continuous at the seam") {
   const Stream stream = make_stream(1, "noise");
   for (int i = 0; i < 200; ++i) {
     const double v = i / 200.0;
     CHECK(gradient_noise(stream, 0.37 + 1, v, 8) == Approx(gradient_noise(stream, 0.37, v, 8)).margin(1e-9));
     CHECK(fractal_noise(stream, 1e-7, v, 8, 4) ==
           Approx(fractal_noise(stream, 1 - 1e-7, v, 8, 4)).margin(1e-4));
-    const Cell a = cellular_noise(stream, 1e-7, v, 16), b = cellular_noise(stream, 1 - 1e-7, v, 16);
+    const CellularNoise a = cellular_noise(stream, 1e-7, v, 16), b = cellular_noise(stream, 1 - 1e-7, v, 16);
     CHECK(a.nearest == Approx(b.nearest).margin(1e-4));
     CHECK(a.nearest <= a.second);
   }
 }
 
-TEST_CASE("a normal map leans against the slope of its heights") {
+TEST_CASE("a normal map is that of its heights") {
   // Height 2 cm · sin(2πu) over a tile of one metre: slope 2π · 0.02 at u = 0.
   const TextureSet set = paint(256, 1.0, false, [](double u, double) {
     Texel t;
@@ -35,14 +35,14 @@ TEST_CASE("a normal map leans against the slope of its heights") {
 TEST_CASE("green in a normal map points up the image") {
   const TextureSet set = paint(64, 1.0, false, [](double, double v) {
     Texel t;
-    t.height_m = v < 0.5 ? 0.1 * v : 0.1 * (1 - v);  // rises downwards in the upper half
+    t.height_m = v < 0.5 ? 0.1 * v : 0.1 * (1 - v);  // in the upper half it rises downwards
     return t;
   });
   CHECK(set.normal.pixels[(16 * 64 + 5) * 3 + 1] > 130);
   CHECK(set.normal.pixels[(48 * 64 + 5) * 3 + 1] < 125);
 }
 
-TEST_CASE("roads are painted sharply enough and leaves are cut out") {
+TEST_CASE("textures have enough texels per metre, and leaf cards are cut out with a clear margin") {
   const TextureSet asphalt = asphalt_texture(make_stream(3, "asphalt"));
   CHECK(asphalt.base_color.width / asphalt_tile_m >= 250);
   const auto texels_per_m = [](const TextureSet& set, double tile_m) {
@@ -56,7 +56,7 @@ TEST_CASE("roads are painted sharply enough and leaves are cut out") {
   double mean = 0;
   for (std::uint8_t p : asphalt.base_color.pixels) mean += p;
   mean /= static_cast<double>(asphalt.base_color.pixels.size());
-  CHECK(mean > 85);  // sRGB: worn asphalt reflects about a tenth to a quarter
+  CHECK(mean > 85);  // sRGB; worn asphalt reflects about 0.1 to 0.25
   CHECK(mean < 150);
 
   for (const TextureSet& card :
@@ -69,7 +69,7 @@ TEST_CASE("roads are painted sharply enough and leaves are cut out") {
     CHECK(solid > texels * 15 / 100);
     CHECK(solid < texels * 85 / 100);
     const int size = card.base_color.width;
-    for (int i = 0; i < size; ++i) {  // nothing is cut off, nothing comes in at the opposite edge
+    for (int i = 0; i < size; ++i) {  // no leaf is cut off or reappears at the opposite edge
       const auto alpha = [&](int row, int column) {
         return card.base_color.pixels[4 * (row * size + column) + 3];
       };

@@ -6,6 +6,7 @@
 #include "scenes/city/roadside/kerb_side.h"
 #include "scenes/city/roadside/roadside.h"
 #include "scenes/city/roadside/traffic.h"
+#include "scenes/city/streets/street_grid.h"
 #include "scenes/city/streets/surface/road_markings.h"
 
 using namespace cps;
@@ -31,7 +32,7 @@ struct City {
 
 }  // namespace
 
-TEST_CASE("traffic keeps to its lanes, its distances and off crossings; lanes say where it stands") {
+TEST_CASE("traffic keeps to its lanes, keeps its distances and stays off crossings, and lanes list it") {
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       INFO(to_string(style) << " " << seed);
@@ -65,7 +66,7 @@ TEST_CASE("traffic keeps to its lanes, its distances and off crossings; lanes sa
           if (!stops_on[i]) CHECK((gap < 2.9 || gap > 14.7));
           ++(gap < 2.9 ? queued : alone);
         }
-        // Vehicles come lane by lane, the foremost first.
+        // Vehicles are listed lane by lane, the foremost first.
         for (std::size_t k = occupied.size(); k-- > 0; ++next) {
           const PlacedModel& vehicle = city.traffic.vehicles[next];
           CHECK(vehicle.height == 0);
@@ -94,7 +95,7 @@ TEST_CASE("traffic keeps to its lanes, its distances and off crossings; lanes sa
     }
 }
 
-TEST_CASE("buses stand at their stops, in the bay as far as it goes, and their lanes tell of them") {
+TEST_CASE("buses at stops stand at the sign, between the kerb and the next lane, and lanes list them") {
   int buses = 0;
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -118,7 +119,7 @@ TEST_CASE("buses stand at their stops, in the bay as far as it goes, and their l
           CHECK(distance_to_line(segment.centre, corner) < segment.half_width);  // not over the kerb
           const Station there = station_at(lane.points, nearest_station(lane.points, corner));
           CHECK(cross(there.direction, corner - there.point) <
-                lane.width_m / 2 + 0.01);  // nor in the next lane
+                lane.width_m / 2 + 0.01);  // and not in the next lane
         }
         const double middle = nearest_station(lane.points, bus.position);
         CHECK(std::any_of(
@@ -129,7 +130,7 @@ TEST_CASE("buses stand at their stops, in the bay as far as it goes, and their l
   CHECK(buses > 20);
 }
 
-TEST_CASE("cyclists keep to the cycle tracks where there are any") {
+TEST_CASE("cyclists use cycle tracks where there are any") {
   int on_tracks = 0;
   for (const CityStyle style : all_styles)
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -151,7 +152,7 @@ TEST_CASE("cyclists keep to the cycle tracks where there are any") {
           agreement =
               station_at(lane.points, nearest_station(lane.points, rider.position)).direction.dot(ahead);
         }
-        CHECK(agreement > 0.9);  // with the traffic beside it
+        CHECK(agreement > 0.9);  // in the direction of the traffic beside it
         double from_kerb = -1e9;
         for (const Segment& segment : city.network.segments)
           if (segment.street >= 0)
@@ -169,7 +170,7 @@ TEST_CASE("cyclists keep to the cycle tracks where there are any") {
   CHECK(on_tracks > 100);
 }
 
-TEST_CASE("traffic stands clear of everything along the streets") {
+TEST_CASE("traffic does not overlap anything along the streets") {
   for (const CityStyle style : all_styles) {
     INFO(to_string(style));
     const City city{{.seed = 5, .style = style, .extent_m = 300}};
@@ -187,7 +188,7 @@ TEST_CASE("traffic stands clear of everything along the streets") {
   }
 }
 
-TEST_CASE("another day has other traffic, parked cars and people, and everything else as it was") {
+TEST_CASE("another traffic seed changes traffic, parked cars and people, and nothing else") {
   for (const CityStyle style : {CityStyle::european, CityStyle::suburb, CityStyle::industrial}) {
     INFO(to_string(style));
     const City monday{{.seed = 4, .style = style}}, tuesday{{.seed = 4, .traffic_seed = 1, .style = style}};
@@ -203,7 +204,7 @@ TEST_CASE("another day has other traffic, parked cars and people, and everything
       either += a.size() + b.size();
     }
     CHECK(either > 100);
-    CHECK(same < either / 50 + monday.traffic.at_stops.size());  // buses have stops in common
+    CHECK(same < either / 50 + monday.traffic.at_stops.size());  // buses share their stops
     using Standing = std::vector<std::pair<std::string, Vec2>>;
     const auto standing = [&](const City& city, bool moving) {
       Standing all;
@@ -229,7 +230,7 @@ TEST_CASE("another day has other traffic, parked cars and people, and everything
   }
 }
 
-TEST_CASE("traffic follows its option, and centres have more of it than suburbs") {
+TEST_CASE("traffic follows its option, and downtown has more of it than a suburb") {
   const auto per_km = [](CityStyle style, double traffic) {
     double vehicles = 0, km = 0;
     for (std::uint64_t seed = 0; seed < 4; ++seed) {

@@ -35,14 +35,14 @@ TEST_CASE("a camera looks along its node's -z with y up, scaled or not") {
   CHECK(world.col(2).head<3>().isApprox(Eigen::Vector3d(-1, 0, 0), 1e-6));  // forward
 }
 
-TEST_CASE("orthographic cameras are left out with a warning, broken ones are refused") {
+TEST_CASE("orthographic cameras are skipped with a warning, broken cameras are refused") {
   std::vector<std::string> warnings;
   CHECK(import_glb(with_camera({{"camera", 1}}), &warnings).cameras.empty());
   CHECK(warnings == std::vector<std::string>{"orthographic cameras are not read"});
 
   CHECK(refusal(with_camera({{"camera", 7}})) == "nodes[1].camera: 7 does not exist");
   CHECK(refusal(with_camera({{"camera", 0}, {"scale", {1, 1, 0}}})) ==
-        "nodes[1]: its camera's axes are scaled to nothing");
+        "nodes[1]: its transform scales the camera's axes to 0");
   GltfMaker maker = with_camera({{"camera", 0}});
   maker.json["cameras"][0]["perspective"]["yfov"] = 4;
   CHECK(refusal(maker) == "cameras[0].perspective.yfov: must lie between 0 and pi radians");

@@ -29,11 +29,14 @@ TEST_CASE("lanes from the scene's extras") {
   CHECK(lanes[1].points.size() == 3);
 }
 
-TEST_CASE("lanes that cannot be driven are named") {
+TEST_CASE("invalid lanes are refused by name") {
   GltfMaker maker = one_triangle();
   const json good = {{"street", "A"}, {"width_m", 3.5}, {"points", {{0, 0, 0}, {10, 0, 0}}}};
   const auto [pointer, value, line] = GENERATE(table<std::string, json, std::string>({
       {"/street", 5, ".street: must be the name of the lane's street"},
+      {"/street", "Main\nStreet",
+       ".street: holds a line break or another control character: rename the street"},
+      {"/street", "\x7f", ".street: holds a line break or another control character: rename the street"},
       {"/width_m", -1, ".width_m: must be 1 to 20 metres"},
       {"/width_m", "wide", ".width_m: must be 1 to 20 metres"},
       {"/points", json::array({json::array({0, 0, 0})}), ".points: must be at least two points"},

@@ -21,7 +21,7 @@ GltfMaker lit_triangle(const json& light) {
 
 }  // namespace
 
-TEST_CASE("lamps stand and point where their nodes say, in kcd and klx") {
+TEST_CASE("lights take position and direction from their nodes and intensity in kcd and klx") {
   std::vector<std::string> warnings;
   const cps::Scene scene =
       import_glb(lit_triangle({{"type", "spot"},
@@ -42,7 +42,7 @@ TEST_CASE("lamps stand and point where their nodes say, in kcd and klx") {
   CHECK(light.cos_outer == Approx(std::cos(0.6)));
 }
 
-TEST_CASE("a lamp's defaults: white, one candela or lux") {
+TEST_CASE("a light's defaults are white and one candela or lux") {
   for (const char* type : {"point", "directional"}) {
     const PunctualLight light = import_glb(lit_triangle({{"type", type}})).lights.at(0);
     CHECK(light.intensity == Eigen::Vector3f::Constant(0.001f));
@@ -54,7 +54,7 @@ TEST_CASE("a lamp's defaults: white, one candela or lux") {
   CHECK(spot.cos_outer == Approx(std::cos(std::acos(-1.0) / 4)));
 }
 
-TEST_CASE("lamps that mean nothing are named") {
+TEST_CASE("invalid lights are refused by name") {
   const std::string where = "KHR_lights_punctual.lights[0]";
   CHECK(refusal(lit_triangle({{"type", "area"}})) ==
         where + ".type: \"area\" is not point, spot or directional");
@@ -64,7 +64,9 @@ TEST_CASE("lamps that mean nothing are named") {
         where + ".color: must be 3 numbers of at least 0");
   CHECK(refusal(lit_triangle({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.9}}}})) ==
         where + ".spot: needs 0 <= innerConeAngle < outerConeAngle <= pi/2");
-  CHECK_FALSE(refusal(lit_triangle({{"type", "point"}, {"intensity", "strong"}})).empty());
+  CHECK(refusal(lit_triangle({{"type", "point"}, {"intensity", "strong"}})) ==
+        "extensions.KHR_lights_punctual.lights[0].intensity: does not fit glTF's schema, where "
+        "extensions.KHR_lights_punctual.lights[].intensity is a number");
   GltfMaker maker = lit_triangle({{"type", "point"}});
   maker.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 3;
   CHECK(refusal(maker) == "nodes[1].KHR_lights_punctual.light: 3 does not exist");

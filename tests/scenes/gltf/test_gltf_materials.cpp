@@ -1,3 +1,4 @@
+#include <boost/crc.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -26,7 +27,7 @@ const Values four_colors = {255, 0, 0, 0, 255, 0, 0, 0, 255, 40, 50, 60};
 
 }  // namespace
 
-TEST_CASE("the default material, for primitives without one") {
+TEST_CASE("primitives without a material get the default material") {
   const cps::Scene scene = import_glb(one_triangle());
   REQUIRE(scene.materials.size() == 1);
   CHECK(scene.materials[0].base_color == Eigen::Vector4f(1, 1, 1, 1));
@@ -56,7 +57,7 @@ TEST_CASE("factors, alpha and emission") {
   CHECK(material.double_sided);
 }
 
-TEST_CASE("factors out of range are brought into it with a warning") {
+TEST_CASE("factors out of range are clamped with a warning") {
   GltfMaker maker = one_square();
   maker.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 3;
   std::vector<std::string> warnings;
@@ -65,7 +66,7 @@ TEST_CASE("factors out of range are brought into it with a warning") {
         std::vector<std::string>{"materials[0].roughnessFactor is out of range, taken as 1.000000"});
 }
 
-TEST_CASE("only materials in use are kept, each once") {
+TEST_CASE("only used materials are kept, each once") {
   GltfMaker maker = one_square();
   maker.json["materials"] = {{{"name", "unused"}}, {{"name", "used"}}};
   maker.primitive()["material"] = 1;
@@ -76,7 +77,7 @@ TEST_CASE("only materials in use are kept, each once") {
   CHECK(scene.meshes.at(1).material == 0);
 }
 
-TEST_CASE("PNG of one to four channels becomes RGBA with alpha as it was") {
+TEST_CASE("PNG of one to four channels becomes RGBA with unchanged alpha") {
   SECTION("RGB") {
     const Texture texture =
         import_glb(textured_square(encode_image("png", 2, 2, 3, four_colors))).textures.at(0);
@@ -154,7 +155,7 @@ TEST_CASE("images from a file and from a data URI") {
   CHECK(import_glb(maker).textures.at(0).rgba == expected);
 }
 
-TEST_CASE("an image used as colour and as data becomes two textures, twice as colour one") {
+TEST_CASE("an image used as colour and as data becomes two textures, used twice as colour one") {
   GltfMaker maker = textured_square(encode_image("png", 1, 1, 3, {1, 2, 3}));
   maker.json["materials"][0]["emissiveTexture"]["index"] = 0;
   maker.json["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"]["index"] = 0;
@@ -166,7 +167,7 @@ TEST_CASE("an image used as colour and as data becomes two textures, twice as co
   CHECK_FALSE(scene.textures[material.metallic_roughness_texture.texture].srgb);
 }
 
-TEST_CASE("samplers: wrap modes and nearest") {
+TEST_CASE("samplers give wrap modes and nearest filtering") {
   GltfMaker maker = textured_square(encode_image("png", 1, 1, 3, {1, 2, 3}));
   CHECK(import_glb(maker).textures.at(0).wrap_u == Wrap::repeat);
   CHECK_FALSE(import_glb(maker).textures.at(0).nearest);
@@ -180,8 +181,7 @@ TEST_CASE("samplers: wrap modes and nearest") {
   CHECK(refusal(maker) == "samplers[0].wrapS: wrap mode 5 is not one of glTF's");
 }
 
-TEST_CASE(
-    "KHR_texture_transform: the extension's own example takes the lower left quarter, turned clockwise") {
+TEST_CASE("KHR_texture_transform: the extension's example shows the lower left quarter, turned clockwise") {
   GltfMaker maker = textured_square(encode_image("png", 1, 1, 3, {1, 2, 3}));
   maker.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
             ["KHR_texture_transform"] = {
@@ -193,7 +193,7 @@ TEST_CASE(
   CHECK((slot.uv_transform * Vector2f(0, 1) - Vector2f(0.5f, 1)).norm() < 1e-6f);
 }
 
-TEST_CASE("textures that cannot be read are named") {
+TEST_CASE("unreadable textures are refused by name") {
   GltfMaker maker = textured_square(encode_image("png", 4, 4, 3, Values(48, 200)));
   const std::string slot = "materials[0].baseColorTexture";
   json& info = maker.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
@@ -235,9 +235,11 @@ TEST_CASE("textures that cannot be read are named") {
   }
   SECTION("too large") {
     std::vector<unsigned char> png = encode_image("png", 4, 4, 3, Values(48, 200));
-    png[16 + 2] = 0xff;  // width 65284; its checksum no longer fits, but that is not what stops it
-    maker = textured_square(png);
-    CHECK_FALSE(refusal(maker).empty());
+    png[16 + 2] = 0xff;  // in the header chunk's width, big-endian: 4 becomes 65284
+    boost::crc_32_type checksum;
+    checksum.process_bytes(&png[12], 17);  // type and data of the header chunk
+    for (int i = 0; i < 4; ++i) png[29 + i] = static_cast<unsigned char>(checksum.checksum() >> (24 - 8 * i));
+    CHECK(refusal(textured_square(png)) == "images[0]: is 65284×4, sides may be 1 to 16384");
   }
   SECTION("alpha mode") {
     maker.json["materials"][0]["alphaMode"] = "GLASS";

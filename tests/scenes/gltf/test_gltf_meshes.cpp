@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A square with a normal map, whose tangents the importer has to make.
+/// A square with a normal map and without tangents, so that the importer makes them.
 GltfMaker square_with_normal_map() {
   GltfMaker maker = one_square();
   const int texture = maker.add_texture(encode_image("png", 1, 1, 3, {128, 128, 255}));
@@ -20,7 +20,7 @@ GltfMaker square_with_normal_map() {
 
 }  // namespace
 
-TEST_CASE("strips and fans wind as lists do") {
+TEST_CASE("strips and fans have the winding of lists") {
   GltfMaker maker = one_square();  // corners anticlockwise: 0 1 2 3
   SECTION("strip") {
     maker.primitive()["mode"] = 5;
@@ -45,7 +45,7 @@ TEST_CASE("strips and fans wind as lists do") {
   }
 }
 
-TEST_CASE("strips and fans without indices take the vertices in order") {
+TEST_CASE("strips and fans without indices use the vertices in order") {
   GltfMaker maker = one_square();
   maker.primitive().erase("indices");
   maker.primitive()["mode"] = 5;
@@ -54,8 +54,7 @@ TEST_CASE("strips and fans without indices take the vertices in order") {
   CHECK(import_glb(maker).meshes.at(0).triangles == std::vector<Vector3i>{{1, 2, 0}, {2, 3, 0}});
 }
 
-TEST_CASE(
-    "the largest index of each type would restart primitives and is refused, even where its vertex exists") {
+TEST_CASE("the largest index of each type, which restarts primitives, is refused even if its vertex exists") {
   GltfMaker maker;
   const std::size_t count = 65536;
   maker.json["meshes"] = {
@@ -73,13 +72,13 @@ TEST_CASE(
   CHECK(import_glb(maker).meshes.at(0).positions.size() == 3);
 }
 
-TEST_CASE("corners that make no whole triangles") {
+TEST_CASE("a number of corners that is no multiple of three is refused") {
   GltfMaker maker = one_square();
   maker.primitive()["indices"] = maker.add(std::vector<std::uint8_t>{0, 1, 2, 3}, 5121, "SCALAR", 4);
   CHECK(refusal(maker) == "meshes[0].primitives[0]: 4 corners do not make whole triangles");
 }
 
-TEST_CASE("points and lines are left out with a warning, files of nothing else refused") {
+TEST_CASE("points and lines are skipped with a warning, a file of nothing else is refused") {
   GltfMaker maker = one_triangle();
   json line = maker.primitive();
   line["mode"] = GENERATE(0, 1, 2, 3);
@@ -91,7 +90,7 @@ TEST_CASE("points and lines are left out with a warning, files of nothing else r
   CHECK(refusal(maker) == "scene: holds no triangles to draw");
 }
 
-TEST_CASE("each primitive keeps the vertices it uses of a shared buffer") {
+TEST_CASE("a primitive keeps only the vertices it uses of a shared buffer") {
   GltfMaker maker = one_square();
   json second = maker.primitive();
   maker.primitive()["indices"] = maker.add(std::vector<std::uint8_t>{0, 1, 2}, 5121, "SCALAR", 3);
@@ -105,7 +104,7 @@ TEST_CASE("each primitive keeps the vertices it uses of a shared buffer") {
   CHECK(scene.meshes[1].triangles == std::vector<Vector3i>{{0, 1, 2}});
 }
 
-TEST_CASE("missing normals are flat: two faces that share an edge get vertices of their own") {
+TEST_CASE("missing normals become flat ones, with separate vertices for adjacent faces") {
   GltfMaker maker = one_square();
   json& attributes = maker.primitive()["attributes"];
   attributes.erase("NORMAL");
@@ -115,7 +114,7 @@ TEST_CASE("missing normals are flat: two faces that share an edge get vertices o
   const cps::Mesh mesh = import_glb(maker).meshes.at(0);
   CHECK(mesh.positions.size() == 6);
   CHECK(mesh.triangles == std::vector<Vector3i>{{0, 1, 2}, {3, 4, 5}});
-  CHECK(mesh.tangents.empty());  // the specification has them ignored
+  CHECK(mesh.tangents.empty());  // the specification says to ignore them
   const float half = std::sqrt(0.5f);
   for (int i = 0; i < 3; ++i) {
     CHECK(mesh.normals[i] == Vector3f(0, 0, 1));
@@ -124,7 +123,7 @@ TEST_CASE("missing normals are flat: two faces that share an edge get vertices o
   CHECK(mesh.uv0[5] == Eigen::Vector2f(0, 0));
 }
 
-TEST_CASE("normals are brought to length one, broken ones replaced by their triangles'") {
+TEST_CASE("normals are normalised, broken ones replaced by those of their triangles") {
   GltfMaker maker = one_square();
   maker.primitive()["attributes"]["NORMAL"] =
       maker.add_floats({0, 0, 5, 0, 0, 0, std::nanf(""), 0, 1, 3, 0, 4}, "VEC3");
@@ -135,7 +134,7 @@ TEST_CASE("normals are brought to length one, broken ones replaced by their tria
   CHECK(mesh.normals[2] == Vector3f(0, 0, 1));
   CHECK(mesh.normals[3].isApprox(Vector3f(0.6f, 0, 0.8f)));
   CHECK(warnings ==
-        std::vector<std::string>{"meshes[0].primitives[0].NORMAL: 2 without direction, made anew"});
+        std::vector<std::string>{"meshes[0].primitives[0].NORMAL: 2 are zero or not finite, made anew"});
 }
 
 TEST_CASE("a square with u to the right and v down has tangent +x and handedness +1") {
@@ -189,10 +188,11 @@ TEST_CASE("a vertex between mirrored and unmirrored texture coordinates is split
   CHECK(at(1, 2) == Vector3f(0, 1, 0));
 }
 
-TEST_CASE("vertices that a file repeats for each triangle get the tangents of shared ones") {
+TEST_CASE("vertices repeated per triangle get the same tangents as shared ones") {
   GltfMaker maker = square_with_normal_map();
   json& attributes = maker.primitive()["attributes"];
-  // Sheared coordinates: the two triangles' own tangents differ, the diagonal's vertices see both.
+  // With sheared coordinates the tangents of the two triangles differ, and vertices on the diagonal average
+  // both.
   attributes["TEXCOORD_0"] = maker.add_floats({0, 1, 1, 1, 1, 0, 0.5f, 0.2f}, "VEC2");
   const cps::Mesh shared = import_glb(maker).meshes.at(0);
   attributes["POSITION"] = maker.add_floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3");
@@ -207,7 +207,7 @@ TEST_CASE("vertices that a file repeats for each triangle get the tangents of sh
   CHECK_FALSE(repeated.tangents[1].isApprox(repeated.tangents[5], 0.1f));
 }
 
-TEST_CASE("tangents around a cylinder are its circles' tangents") {
+TEST_CASE("tangents of a cylinder run around its circles") {
   GltfMaker maker = square_with_normal_map();
   constexpr int sides = 64;
   std::vector<float> positions, normals, uv;
@@ -228,13 +228,14 @@ TEST_CASE("tangents around a cylinder are its circles' tangents") {
   attributes["TEXCOORD_0"] = maker.add_floats(uv, "VEC2");
   maker.primitive()["indices"] = maker.add(indices, 5123, "SCALAR", indices.size());
   const cps::Mesh mesh = import_glb(maker).meshes.at(0);
-  for (std::size_t i = 2; i + 2 < mesh.positions.size(); ++i) {  // the seam's vertices see one side only
+  for (std::size_t i = 2; i + 2 < mesh.positions.size();
+       ++i) {  // vertices at the seam have triangles on one side only
     const Vector3f& p = mesh.positions[i];
     CHECK((mesh.tangents[i] - Vector4f(p.z(), 0, -p.x(), 1)).norm() < 1e-3f);
   }
 }
 
-TEST_CASE("tangents of the file are kept, broken ones made anew") {
+TEST_CASE("the file's tangents are kept, broken ones replaced") {
   GltfMaker maker = square_with_normal_map();
   json& attributes = maker.primitive()["attributes"];
   std::vector<std::string> warnings;
@@ -246,7 +247,7 @@ TEST_CASE("tangents of the file are kept, broken ones made anew") {
   CHECK(warnings == std::vector<std::string>{"meshes[0].primitives[0].TANGENT: not valid, made anew"});
 }
 
-TEST_CASE("morph targets are applied with the weights at rest: the node's, else the mesh's") {
+TEST_CASE("morph targets are applied with the node's weights, else the mesh's") {
   GltfMaker maker = one_triangle();
   const int raise = maker.add_floats({0, 0, 1, 0, 0, 2, 0, 0, 3}, "VEC3");
   const int widen = maker.add_floats({0, 0, 0, 5, 0, 0, 0, 0, 0}, "VEC3");

@@ -26,7 +26,7 @@ TEST_CASE("a matrix is read column by column") {
   CHECK(transform * Vector3f(1, 0, 0) == Vector3f(8, 10, 12));
 }
 
-TEST_CASE("one mesh, many instances, a mirrored one among them") {
+TEST_CASE("one mesh can have many instances, mirrored ones included") {
   GltfMaker maker = one_triangle();
   maker.json["nodes"] = {
       {{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}, {{"mesh", 0}, {"translation", {0, 5, 0}}}};
@@ -38,7 +38,7 @@ TEST_CASE("one mesh, many instances, a mirrored one among them") {
   CHECK(scene.instances[1].world_from_mesh * Vector3f(1, 2, 3) == Vector3f(-1, 2, 3));
 }
 
-TEST_CASE("which nodes belong to the scene") {
+TEST_CASE("the scene's nodes are those of the default scene, else the first, else all") {
   GltfMaker maker = one_triangle();
   maker.json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 0}}},
                          {{"mesh", 0}, {"translation", {1, 0, 0}}, {"children", {2}}},
@@ -65,7 +65,7 @@ TEST_CASE("which nodes belong to the scene") {
   }
 }
 
-TEST_CASE("a chain of 100,000 nodes is followed to its end") {
+TEST_CASE("a chain of 100,000 nodes is imported") {
   GltfMaker maker = one_triangle();
   json nodes;
   for (int i = 0; i < 100000; ++i) nodes.push_back({{"translation", {0.001, 0, 0}}, {"children", {i + 1}}});
@@ -74,16 +74,16 @@ TEST_CASE("a chain of 100,000 nodes is followed to its end") {
   CHECK(import_glb(maker).instances.at(0).world_from_mesh.translation().x() == Approx(100));
 }
 
-TEST_CASE("nodes that form no trees, transforms that are none") {
+TEST_CASE("nodes that form no trees and invalid transforms are refused") {
   GltfMaker maker = one_triangle();
   json& node = maker.json["nodes"][0];
   SECTION("a cycle") {
     node["children"] = {0};
-    CHECK(refusal(maker) == "nodes[0]: is reached twice, glTF's nodes must form trees");
+    CHECK(refusal(maker) == "nodes[0]: is reached twice: the nodes must form trees");
   }
   SECTION("two parents") {
     maker.json["nodes"] = {{{"children", {1, 2}}}, {{"children", {2}}}, {{"mesh", 0}}};
-    CHECK(refusal(maker) == "nodes[2]: is reached twice, glTF's nodes must form trees");
+    CHECK(refusal(maker) == "nodes[2]: is reached twice: the nodes must form trees");
   }
   SECTION("no such child") {
     node["children"] = {7};
@@ -113,7 +113,7 @@ TEST_CASE("nodes that form no trees, transforms that are none") {
   }
 }
 
-TEST_CASE("a node flattened to nothing is left out with a warning") {
+TEST_CASE("a node with a scale of 0 is skipped with a warning") {
   GltfMaker maker = one_triangle();
   maker.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {1, 0, 1}}}};
   maker.json["scenes"] = {{{"nodes", {0, 1}}}};

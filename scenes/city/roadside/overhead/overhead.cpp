@@ -5,18 +5,18 @@
 
 #include "scenes/city/draws.h"
 #include "scenes/city/roadside/overhead/wire.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/road_markings.h"
-#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {
 
 constexpr double mast_inset_m = 0.45, telegraph_spacing_m = 34, span_spacing_m = 30, tram_spacing_m = 27,
-                 longest_span_m = 60;
+                 max_span_m = 60;
 constexpr double crossarm_m = 7.9, insulator_m = 0.16, telephone_m = 6.6, span_height_m = 7.4;
-constexpr double wires_m[] = {-0.7, -0.3, 0.3, 0.7};  ///< along the crossarm
+constexpr double wires_m[] = {-0.7, -0.3, 0.3, 0.7};  ///< positions along the crossarm
 constexpr double wire_radius_m = 0.007, cable_radius_m = 0.013;
-/// Of a telegraph wire over the usual spacing; it grows with the span's square.
+/// Sag of a telegraph wire at the usual spacing; it grows with the square of the span.
 constexpr double sag_m = 0.45;
 
 OverheadKind draw_kind(Draws& draws, CityStyle style, const StreetProfile& profile) {
@@ -46,7 +46,7 @@ Mast mast_at(const StreetNetwork& network, int segment, bool reversed, double st
           std::atan2(-inwards.y(), -inwards.x())};
 }
 
-/// A point of a mast: `out` metres towards the carriageway, `height` above the pavement.
+/// A point at a mast, `out` metres towards the carriageway and `height` above the pavement.
 Vec3 on_mast(const Mast& mast, double out, double height) {
   const Vec2 facing(std::cos(mast.heading_rad), std::sin(mast.heading_rad));
   return lift(mast.position + facing * out, kerb_height_m + height);
@@ -54,7 +54,7 @@ Vec3 on_mast(const Mast& mast, double out, double height) {
 
 void add_telegraph_span(Mesh& mesh, const Materials& m, const Mast& from, const Mast& to) {
   const double span = (to.position - from.position).norm();
-  if (span > longest_span_m) return;
+  if (span > max_span_m) return;
   const double sag = sag_m * span * span / (telegraph_spacing_m * telegraph_spacing_m);
   Surface& cable = mesh.surfaces[m.cable];
   for (const double x : wires_m)
@@ -84,7 +84,7 @@ Overhead overhead_along(const StreetNetwork& network, int segment, const CityOpt
   Overhead overhead{profile.tram_tracks ? OverheadKind::tram : draw_kind(draws, options.style, profile), {}};
   if (overhead.kind == OverheadKind::none) return overhead;
   const bool reversed = draws.chance(0.5);
-  constexpr double room_m = 1.5;  // from where signs stand
+  constexpr double room_m = 1.5;  // distance from signs
   const double from = s.cut_from + approach(network, segment, false, options.seed).clear_m + room_m,
                to = length(s.centre) - s.cut_to - approach(network, segment, true, options.seed).clear_m -
                     room_m;
@@ -109,7 +109,7 @@ Overhead overhead_along(const StreetNetwork& network, int segment, const CityOpt
 Mesh overhead_wires(const StreetNetwork& network, int street, const Materials& materials,
                     const CityOptions& options) {
   Mesh mesh{"wires " + network.streets[street].name, {}};
-  std::vector<Mast> row;  // telegraph wires go on over junctions
+  std::vector<Mast> row;  // telegraph wires continue across junctions
   for (const int segment : network.streets[street].segments) {
     const Overhead overhead = overhead_along(network, segment, options);
     const std::vector<Mast>& masts = overhead.masts;

@@ -6,7 +6,7 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -55,7 +55,7 @@ Mesh cycle_tracks(const StreetNetwork& network, int street, const Materials& m, 
         add_stripe(mesh.surfaces[material], offset(cut(segment.centre, from_m, to_m), side * from_middle_m),
                    wide, height_m, tile_m);
       };
-      if (red)  // short of the gutter
+      if (red)  // leaves the gutter free
         stripe(m.cycle_track, from, to, outer - width / 2 - 0.15, width - 0.3, surface_height_m,
                asphalt_tile_m);
       const double line = outer - width;

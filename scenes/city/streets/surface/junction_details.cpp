@@ -7,7 +7,8 @@
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/junctions.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/road_wear.h"
 
 namespace cps::city {
@@ -26,8 +27,8 @@ double turn_of(const Polyline& line) {
   return std::atan2(cross(in, out), in.dot(out));
 }
 
-/// The right edge of the way of whoever turns left from a lane of his own: for each pair of streets the
-/// tightest turn.
+/// Guide lines for left turns from multi-lane streets: the right edge of the lane, for each pair of streets
+/// that of the tightest turn.
 void add_turn_guides(Surface& paint, const StreetNetwork& network, int junction,
                      const std::vector<DrivingLane>& lanes) {
   std::map<std::pair<int, int>, const DrivingLane*> tightest;
@@ -45,8 +46,8 @@ void add_turn_guides(Surface& paint, const StreetNetwork& network, int junction,
     add_dashes(paint, offset(lane->points, -lane->width_m / 2), 1, 1, line_width_m);
 }
 
-/// Lines along the street that runs through, across the mouths of those that join it: where its edges and its
-/// cycle tracks go on.
+/// Continues the edge lines and cycle tracks of the street that runs through, across the mouths of the
+/// streets that join it.
 void add_through_lines(Surface& paint, const StreetNetwork& network, const Junction& junction) {
   const std::size_t n = junction.arms.size();
   const auto mouth = [&](const Side& arm) {
@@ -66,7 +67,7 @@ void add_through_lines(Surface& paint, const StreetNetwork& network, const Junct
       const StreetProfile& p = network.profile(to);
       const Polyline through{mouth(from), junction.position, mouth(to)};
       for (const bool left : {true, false}) {
-        // Anticlockwise from the arm ahead to the one behind lie the arms on the left.
+        // The arms on the left are those anticlockwise from the arm ahead to the one behind.
         const std::size_t first = left ? k : i, last = left ? i : k;
         int joining = 0;
         for (std::size_t a = (first + 1) % n; a != last; a = (a + 1) % n)
@@ -82,7 +83,7 @@ void add_through_lines(Surface& paint, const StreetNetwork& network, const Junct
     }
 }
 
-/// Between the two lanes of a wide roundabout.
+/// The dashed line between the two lanes of a wide roundabout.
 void add_ring_line(Surface& paint, const Junction& junction) {
   constexpr int pieces = 72;
   const Roundabout& ring = *junction.roundabout;

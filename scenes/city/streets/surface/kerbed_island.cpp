@@ -2,7 +2,7 @@
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 

@@ -3,9 +3,9 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/kerbed_island.h"
 #include "scenes/city/streets/surface/road_markings.h"
-#include "scenes/city/streets/surface/road_surface.h"
 
 namespace cps::city {
 namespace {
@@ -27,7 +27,7 @@ void add_island(Mesh& mesh, const Polyline& middle, double width_m, MaterialId c
   add_strip(mesh.surfaces[cover], side(inner), side(-inner), {kerb_height_m, kerb_height_m, tile_m});
 }
 
-/// Where the median begins, from the end of the segment's own carriageway.
+/// Distance from the end of the segment's own carriageway to the median.
 double median_from_m(const Approach& approach) {
   constexpr double behind_line_m = 0.6, beside_crossing_m = 0.3;
   return approach.crossing ? approach.crossing_from_m + approach.crossing_length_m + beside_crossing_m
@@ -53,7 +53,7 @@ Polygon refuge_nose(const StreetNetwork& network, int segment, bool at_end, std:
 }
 
 Mesh median(const StreetNetwork& network, int street, const Materials& m, std::uint64_t seed) {
-  constexpr double shortest_m = 6;
+  constexpr double min_length_m = 6;
   Mesh mesh{"median " + network.streets[street].name, {}};
   const StreetProfile& p = network.streets[street].profile;
   if (p.median_m == 0) return mesh;
@@ -64,7 +64,7 @@ Mesh median(const StreetNetwork& network, int street, const Materials& m, std::u
     const double from = segment.cut_from + median_from_m(approach(network, s, false, seed));
     const double to =
         length(segment.centre) - segment.cut_to - median_from_m(approach(network, s, true, seed));
-    if (to - from < shortest_m) continue;
+    if (to - from < min_length_m) continue;
     for (const bool at_end : {false, true})
       if (const Polygon nose = refuge_nose(network, s, at_end, seed); !nose.empty())
         add_kerbed_island(mesh, nose, m.paving, paving_tile_m, m);

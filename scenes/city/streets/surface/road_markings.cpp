@@ -5,7 +5,7 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -31,7 +31,8 @@ struct Painter {
     add_stripe(paint, {at.point + n * from_left, at.point + n * to_left}, width, paint_height_m,
                paint_tile_m);
   }
-  /// Broad dashes across the lanes that lead into a ring, `from_middle_m` from its middle.
+  /// The give-way line: broad dashes across the lanes that lead into a roundabout, `from_middle_m` from its
+  /// middle.
   void give_way(double from_middle_m, const StreetProfile& p, bool at_end) const {
     if ((at_end ? p.lanes_forward : p.lanes_backward) == 0) return;
     const double half = p.half_width(), total = length(centre);
@@ -47,11 +48,11 @@ struct Painter {
   }
 };
 
-/// Where the lane's traffic may go from here.
+/// The direction that an arrow marking shows.
 enum class Arrow { straight, left, right };
 
-/// An arrow on the lane at `left_m`, its tip `ahead_m` before the stop line at `station`; `with`: traffic
-/// runs in the line's direction.
+/// Paints an arrow on the lane at offset `left_m`, its tip `ahead_m` before the stop line at `station`.
+/// `with`: traffic runs in the line's direction.
 void paint_arrow(const Painter& painter, double station, double left_m, bool with, double ahead_m,
                  Arrow arrow) {
   const Station at = station_at(painter.centre, station);
@@ -74,7 +75,7 @@ void paint_arrow(const Painter& painter, double station, double left_m, bool wit
   side > 0 ? triangle(a, c, b) : triangle(a, b, c);
 }
 
-/// Arrows before a stop line, where there are lanes to choose from.
+/// Paints an arrow per lane before a stop line, if there is more than one lane.
 void paint_arrows(const Painter& painter, const StreetProfile& p, double station, bool with) {
   const int lanes = with ? p.lanes_forward : p.lanes_backward;
   for (int lane = 0; lane < lanes && lanes > 1; ++lane)
@@ -130,7 +131,7 @@ Approach approach(const StreetNetwork& network, int segment, bool at_end, std::u
   a.crossing_length_m = draws.uniform(3.0, 4.0);
   a.stop_line = meets_road && (a.crossing || draws.chance(0.6));
   if (network.junctions[at_end ? s.to : s.from].roundabout)
-    a.stop_line = false;  // it has a line to give way at
+    a.stop_line = false;  // a roundabout has a give-way line instead
   a.stop_line_at_m = a.crossing ? a.crossing_from_m + a.crossing_length_m + 1.0 : 0.6;
   a.clear_m = meets_road ? (a.crossing ? a.stop_line_at_m + 4.0 : 5.0) : 0.0;
   return a;

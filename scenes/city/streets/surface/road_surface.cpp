@@ -6,6 +6,8 @@
 #include "scenes/city/draws.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/streets/junctions.h"
+#include "scenes/city/streets/surface/heights.h"
 #include "scenes/city/streets/surface/road_wear.h"
 
 namespace cps::city {
@@ -20,7 +22,7 @@ void add_asphalt_vertex(Surface& surface, const Vec2& p, double light) {
   surface.colors.push_back(gray_color(light));
 }
 
-/// How much darker the asphalt is where wheels run: 0 … 1, by the offset from the centre line.
+/// The strength of the dark wheel tracks at an offset from the centre line: 0 to 1.
 double wheel_track(const StreetProfile& profile, double left_m) {
   double track = 0;
   const auto add_lane = [&](double middle) {
@@ -78,7 +80,7 @@ Mesh junction_floor(const StreetNetwork& network, int junction, const Materials&
   const Stream weather = make_stream(seed, "weathering");
   const Vec2 middle = network.junctions[junction].position;
   Surface& surface = mesh.surfaces[materials.asphalt];
-  constexpr std::uint32_t rings = 4;  // around the middle: something for the weathering to live on
+  constexpr std::uint32_t rings = 4;  // around the middle: enough vertices for the weathering colours
   const auto n = static_cast<std::uint32_t>(border.size());
   for (std::uint32_t ring = 0; ring <= rings; ++ring)
     for (const Vec2& p : border) {
@@ -91,8 +93,8 @@ Mesh junction_floor(const StreetNetwork& network, int junction, const Materials&
       if (ring > 0) surface.indices.insert(surface.indices.end(), {a, b + n, b});
       surface.indices.insert(surface.indices.end(), {a, a + n, b + n});
     }
-  // The streets' asphalt has more vertices along the common edge: an apron closes what hair's breadth is left
-  // between them on a slope.
+  // The streets' asphalt has more vertices along the common edge, so on a slope there are hairline gaps; an
+  // apron closes them.
   for (std::uint32_t i = 0; i < n; ++i) {
     const Vec2 &p = border[i], &q = border[(i + 1) % n];
     add_strip(mesh.surfaces[materials.asphalt_patch], {p, q}, {p, q}, {0, -apron_m, asphalt_tile_m});

@@ -6,7 +6,7 @@
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
@@ -21,7 +21,7 @@ void add_manhole(Mesh& mesh, const Vec2& centre, const Materials& m) {
   add_polygon(mesh.surfaces[m.manhole], rim);
 }
 
-/// A crack somebody filled with tar: a wandering seam along (or across) the road.
+/// A tarred crack: a seam that meanders along the road.
 void add_seam(Surface& surface, const Polyline& centre, double from, double to, double left_m, double limit,
               Draws& draws) {
   Polyline seam;
@@ -60,16 +60,16 @@ void add_wear(Mesh& mesh, const Polyline& centre, const StreetProfile& profile, 
   }
 }
 
-void add_junction_wear(Mesh& mesh, const Polygon& border, const Vec2& middle, double free_of_m,
+void add_junction_wear(Mesh& mesh, const Polygon& border, const Vec2& middle, double clear_radius_m,
                        const Materials& m, double wear, Draws& draws) {
-  // Somewhere between the middle and the border, but not under an island.
+  // A random point between the middle and the border, but not under an island.
   const auto somewhere = [&] {
     const Vec2 out = border[draws.integer(0, static_cast<int>(border.size()) - 1)] - middle;
-    const double from = std::min(0.9, (free_of_m + 1) / out.norm());
+    const double from = std::min(0.9, (clear_radius_m + 1) / out.norm());
     return Vec2(middle + out * draws.uniform(from, std::max(from, 0.85)));
   };
   const auto is_on_road = [&](const Vec2& p) {
-    return contains(border, p) && (p - middle).norm() > free_of_m + 0.5;
+    return contains(border, p) && (p - middle).norm() > clear_radius_m + 0.5;
   };
   for (int i = draws.integer(1, 3); i > 0; --i) {
     const Vec2 at = somewhere();

@@ -4,7 +4,7 @@
 
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 
@@ -29,7 +29,8 @@ Mesh island(const Roundabout& r, const Vec2& middle, const Materials& m) {
     ring(m.grass, lawn * outer, mound(outer), lawn * inner, mound(inner), grass_tile_m);
   }
   Surface& grass = mesh.surfaces[m.grass];
-  for (std::size_t i = 0; i < grass.positions.size(); ++i)  // painted from above: blades do not fan out
+  for (std::size_t i = 0; i < grass.positions.size();
+       ++i)  // mapped from above, so that the texture does not fan out
     grass.uvs[i] =
         Eigen::Vector2f(grass.positions[i].x(), grass.positions[i].z()) / static_cast<float>(grass_tile_m);
   return mesh;

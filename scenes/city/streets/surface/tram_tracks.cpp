@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "scenes/city/geometry/strip.h"
-#include "scenes/city/streets/surface/road_surface.h"
+#include "scenes/city/streets/surface/heights.h"
 
 namespace cps::city {
 namespace {
 
 constexpr double head_m = 0.06, groove_m = 0.04, bed_m = 0.24;
 
-/// Through the junctions; at either end only up to the street's own carriageway.
+/// The street's centre line, across its junctions, but not into the junctions at its two ends.
 Polyline whole_line(const StreetNetwork& network, const Street& street) {
   Polyline line;
   for (const int s : street.segments) {
@@ -47,9 +47,10 @@ Mesh tram_rails(const TramTrack& track, const Materials& m) {
       add_stripe(mesh.surfaces[material], offset(track.centre, side * from_middle_m), width_m, height_m, 1);
     };
     const double inner_face = tram_gauge_m / 2;
-    stripe(m.tar, inner_face, bed_m, seam_height_m + 0.001);  // the joint between rail and asphalt
+    stripe(m.tar, inner_face, bed_m, seam_height_m + 0.001);  // joint between rail and asphalt
     stripe(m.rail, inner_face + head_m / 2, head_m, paint_height_m + 0.002);
-    stripe(m.manhole, inner_face - groove_m - 0.015, 0.03, paint_height_m + 0.001);  // the groove's other lip
+    stripe(m.manhole, inner_face - groove_m - 0.015, 0.03,
+           paint_height_m + 0.001);  // other edge of the groove
   }
   return mesh;
 }

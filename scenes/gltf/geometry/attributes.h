@@ -9,17 +9,17 @@
 
 namespace cps::gltf {
 
-/// One primitive being read: which accessor elements become the mesh's vertices.
+/// A primitive, and the accessor elements that become the mesh's vertices.
 struct PrimitiveReader {
   Document& document;
   const tinygltf::Primitive& primitive;
   std::string where;
   std::vector<std::uint32_t> vertices;
-  std::size_t vertex_count;  ///< before unused ones were dropped
+  std::size_t vertex_count;  ///< in the accessors, unused ones included
 };
 
-/// An attribute's vectors for the mesh's vertices, empty without it; it must have as many elements as
-/// POSITION.
+/// An attribute's vectors, one per vertex of the mesh; empty if the primitive lacks it. Refuses an attribute
+/// that has not as many elements as POSITION.
 template <int N>
 std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, const char* name) {
   const auto found = reader.primitive.attributes.find(name);
@@ -43,7 +43,7 @@ std::vector<Eigen::Matrix<float, N, 1>> read_finite_attribute(PrimitiveReader& r
   return vectors;
 }
 
-/// COLOR_0, RGB or RGBA, as linear RGBA.
+/// COLOR_0 (RGB or RGBA) as linear RGBA, one per vertex; empty without it.
 std::vector<Eigen::Vector4f> read_colors(PrimitiveReader& reader);
 
 }  // namespace cps::gltf

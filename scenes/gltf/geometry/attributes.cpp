@@ -1,4 +1,4 @@
-#include "scenes/gltf/document/attributes.h"
+#include "scenes/gltf/geometry/attributes.h"
 
 namespace cps::gltf {
 
