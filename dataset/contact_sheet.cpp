@@ -16,17 +16,17 @@ namespace fs = std::filesystem;
 
 constexpr int gap_px = 6;
 
-/// Captions of three lines whose longest just fits a tile.
+/// Captions of three lines, sized so that the longest line just fits below a tile.
 struct Captions {
   int text_px, line_px, height_px;
   explicit Captions(int tile_width_px)
       : text_px(std::clamp(tile_width_px / 33, 6, 24)), line_px(text_px + 3), height_px(3 * line_px + 4) {}
 };
 
-/// One view's images, the undistorted first.
+/// The images of one view, the undistorted one first.
 using Row = std::vector<const DatasetImage*>;
 
-/// The rows to show: from each set, views evenly spread over its indices.
+/// The rows to show: views evenly spread over the indices of each set.
 std::vector<Row> choose_rows(const Dataset& dataset, const ContactSheetOptions& options) {
   std::map<fs::path, std::map<fs::path, Row>> views_of_set;
   for (const DatasetImage& image : dataset.images)
@@ -66,11 +66,11 @@ void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const Captions& captions,
 
 }  // namespace
 
-bool ContactSheetOptions::is_valid(std::string* why) const {
-  if (rows_per_set < 1 || rows_per_set > 100) return *why = "rows: must lie in [1, 100]", false;
-  if (columns < 1 || columns > 100) return *why = "columns: must lie in [1, 100]", false;
-  if (tile_width_px < 64 || tile_width_px > 4096) return *why = "tile-width: must lie in [64, 4096]", false;
-  return true;
+std::string ContactSheetOptions::fault() const {
+  if (rows_per_set < 1 || rows_per_set > 100) return "rows: must lie in [1, 100]";
+  if (columns < 1 || columns > 100) return "columns: must lie in [1, 100]";
+  if (tile_width_px < 64 || tile_width_px > 4096) return "tile-width: must lie in [64, 4096]";
+  return "";
 }
 
 OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& options) {

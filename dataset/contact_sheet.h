@@ -10,13 +10,14 @@ namespace cps {
 
 struct ContactSheetOptions {
   int rows_per_set = 2;  ///< views shown of each set
-  int columns = 5;       ///< images of each view: the undistorted one and the first lenses
+  int columns = 5;       ///< images shown of each view: the undistorted one and the first lenses
   int tile_width_px = 420;
-  bool is_valid(std::string* why) const;
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
-/// Views side by side through their lenses with the labels drawn below them: a row per view, a column per
-/// lens. Throws std::runtime_error naming an image that cannot be read.
+/// A picture of the dataset's images with their labels below them: a row per view, a column per lens. Throws
+/// std::runtime_error that names an image which cannot be read.
 OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& options);
 
 }  // namespace cps

@@ -8,8 +8,6 @@
 #include <stdexcept>
 
 #include "dataset/labels/group_label.h"
-#include "dataset/labels/label_check.h"
-#include "distortion/crop/true_fov.h"
 #include "distortion/warp/master_camera.h"
 #include "distortion/warp/view_fit.h"
 #include "numbers/angles.h"
@@ -18,57 +16,33 @@
 namespace cps {
 namespace {
 
-/// The widest camera of this size that sees nothing beyond `straight`, degrees.
+/// H-FOV in degrees of the widest camera of this size that sees nothing beyond `straight`.
 double widest_base_deg(const Pinhole& straight, const ImageSize& size) {
   const double half_width = std::min(.5 * straight.width / straight.fx,
                                      .5 * straight.height / straight.fy * size.width / size.height);
   return degrees(2 * std::atan(half_width));
 }
 
-/// Empty when the pictures do not carry the lens.
-std::optional<Label> label_of(const DrawnLens& lens, const Pinhole& straight, const RelensOptions& options) {
+/// Whether pictures taken at `straight` reach far enough for the lens and are fine enough for it.
+bool picture_suffices(const DrawnLens& lens, const Pinhole& straight) {
   constexpr double sigma_px = .5;
   const Pinhole& camera = lens.crop.camera;
   const double magnification = camera.fx / straight.fx * lens.crop.certificate.max_eigenvalue;
-  if (magnification > largest_magnification({.oversampling = 1, .kernel_sigma_px = sigma_px})) return {};
+  if (magnification > largest_magnification({.oversampling = 1, .kernel_sigma_px = sigma_px})) return false;
   const ViewFit fit = fit_distorted_view(straight, {"", camera, lens.distortion}, sigma_px, 2);
-  if (!fit.valid || fit.camera.fx > camera.fx) return {};
-  const Eigen::AlignedBox2d frame = frame_on_plane(lens.base);
-  const auto angles = true_fov(lens.distortion, camera, frame);
-  if (!angles) return {};
-  Label label;
-  label.camera = camera;
-  label.distortion = lens.distortion;
-  label.fov_base_deg = degrees(hfov_rad(lens.base));
-  label.fov_true_h_deg = degrees(angles->horizontal_rad);
-  label.fov_true_v_deg = degrees(angles->vertical_rad);
-  label.fov_true_d_deg = degrees(angles->diagonal_rad);
-  label.zoom = lens.crop.zoom;
-  label.certificate_min_eigenvalue = lens.crop.certificate.min_eigenvalue;
-  label.limits = lens.limits;
-  label.part = Part::test;
-  label.seed = options.seed;
-  label.generator = generator_name();
-  label.certificate_max_roundtrip_px = check_label(label).worst_roundtrip_px;
-  return label;
+  return fit.valid && fit.camera.fx <= camera.fx;
 }
 
 }  // namespace
 
-bool RelensOptions::is_valid(std::string* why) const {
-  if (lenses < 1 || lenses > 10000) {
-    *why = "lenses: must lie in [1, 10000]";
-    return false;
-  }
-  if (size != ImageSize{0, 0} && (size.width < 32 || size.height < 32)) {
-    *why = "size: must be at least 32x32 pixels";
-    return false;
-  }
-  if (!(narrowest > 0 && narrowest <= 1)) {
-    *why = "narrowest: must lie in (0, 1]";
-    return false;
-  }
-  return lens.is_valid(why);
+std::string RelensOptions::fault() const {
+  if (lenses < 1 || lenses > 10000) return "lenses: must lie in [1, 10000]";
+  if (size != ImageSize{0, 0} && (size.width < 32 || size.height < 32))
+    return "size: must be at least 32x32 pixels";
+  if (!(narrowest > 0 && narrowest <= 1)) return "narrowest: must lie in (0, 1]";
+  std::string why;
+  lens.is_valid(&why);
+  return why;
 }
 
 std::vector<RelensGroup> draw_relens_groups(const Pinhole& straight, const std::string& camera,
@@ -87,13 +61,15 @@ std::vector<RelensGroup> draw_relens_groups(const Pinhole& straight, const std::
       const Stream draw = substream(stream, attempt);
       const double base_deg = random_uniform(draw, 0, options.narrowest * widest_deg, widest_deg);
       const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(base_deg));
-      label = label_of(draw_lens(base, CropOrder::base_first, options.lens, substream(draw, 1)), straight,
-                       options);
+      const DrawnLens lens = draw_lens(base, CropOrder::base_first, options.lens, substream(draw, 1));
+      if (picture_suffices(lens, straight)) label = lens_label(lens, options.lens.bounds);
     }
     if (!label)
       throw std::runtime_error(fmt::format("camera {}: no lens found for {}x{}: ask for a smaller size",
                                            camera, size.width, size.height));
     label->rig_camera = camera;
+    label->part = Part::test;
+    label->seed = options.seed;
     groups.push_back({fmt::format("{}/{}_lens{:04}", set, camera, number), *label});
   }
   return groups;

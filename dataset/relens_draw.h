@@ -7,16 +7,17 @@
 #include "distortion/image_size.h"
 #include "sampler/lenses/lens_options.h"
 
-/// Lenses for pictures that are there already, straightened: real pixels with exact labels.
+/// Draws lenses for existing pictures after their own lens was undone: real pixels with exact labels.
 namespace cps {
 
 struct RelensOptions {
   int lenses = 8;          ///< for each camera
   ImageSize size{0, 0};    ///< of the output; 0: half the picture's, rounded down
-  double narrowest = 0.5;  ///< base H-FOV at least, as a share of the widest that fits
+  double narrowest = 0.5;  ///< smallest base H-FOV, as a share of the widest that fits into the picture
   std::uint64_t seed = 0;
   LensOptions lens;
-  bool is_valid(std::string* why) const;
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
 /// A leaf folder of the dataset.
@@ -25,11 +26,12 @@ struct RelensGroup {
   Label label;         ///< part: test
 };
 
-/// Lenses `first_lens`, … for straight pictures taken at `straight` (square pixels, centred). Each has a base
-/// of its own inside the picture, of an H-FOV uniform between `narrowest` times the widest that fits and
-/// that, and the border-free crop of it. One whose footprints leave the picture, or that enlarges it more
-/// than the warp's kernel allows, is drawn again as a whole. A pure function of the arguments. Throws
-/// std::runtime_error when none is found.
+/// Draws `options.lenses` lenses, numbered from `first_lens`, for undistorted pictures of the camera
+/// `straight` (square pixels, centred principal point). Each lens has its own base inside the picture, whose
+/// H-FOV is uniform between `narrowest` times the widest that fits and that, and the border-free crop of it.
+/// A lens whose pixels would reach beyond the picture, or that enlarges it more than the warp's kernel
+/// allows, is drawn again as a whole. A pure function of the arguments. Throws std::runtime_error when no
+/// lens is found.
 std::vector<RelensGroup> draw_relens_groups(const Pinhole& straight, const std::string& camera,
                                             int first_lens, const RelensOptions& options);
 

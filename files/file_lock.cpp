@@ -34,7 +34,7 @@ bool FileLock::take(int operation) {
   while (flock(descriptor_, operation) != 0) {
     if (errno == EINTR) continue;
     if (errno == EWOULDBLOCK) return false;
-    std::fprintf(stderr, "%s: cannot be locked (%s): take care that each shard is made by one process\n",
+    std::fprintf(stderr, "%s: cannot be locked (%s): make sure that no two processes make the same shard\n",
                  file_.c_str(), std::strerror(errno));
     return true;
   }

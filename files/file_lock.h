@@ -5,25 +5,25 @@
 
 namespace cps {
 
-/// Thrown where work cannot be done now because another process holds what it needs: to be tried again later.
+/// Thrown when another process holds what the work needs: try again later.
 struct HeldByAnother : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A lock on a file (flock), made if it is not there, that goes with the process that holds it, however that
-/// ends. Linux passes it on to the server of an NFS share, so it holds between machines too, unless the share
-/// is mounted with `nolock` or `local_lock`; of a machine that goes away it is released when the server gives
-/// it up.
+/// A lock on a file (flock); the file is created if it does not exist. The lock ends with the process that
+/// holds it, even if that is killed. On an NFS share Linux asks the server, so it holds between machines too,
+/// unless the share is mounted with `nolock` or `local_lock`; the lock of a machine that disappears ends when
+/// the server gives it up.
 class FileLock {
  public:
   enum class Kind {
-    shared,    ///< with other shared ones
-    exclusive  ///< alone
+    shared,    ///< other processes may hold shared locks
+    exclusive  ///< no other process holds a lock
   };
 
-  /// Takes the lock if it is free; `wait` for it or look at is_held(). Where the file system knows no locks
-  /// it counts as held, and one line on stderr says so. Throws std::runtime_error when the file cannot be
-  /// opened.
+  /// Takes the lock if it is free, otherwise waits for it if `wait` is set, or returns without it: see
+  /// is_held(). On a file system without locks it counts as held, with a warning on stderr. Throws
+  /// std::runtime_error when the file cannot be opened.
   FileLock(const std::filesystem::path& file, Kind kind, bool wait = false);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -31,11 +31,11 @@ class FileLock {
 
   bool is_held() const { return is_held_; }
 
-  /// Gives a shared lock up for an exclusive one; between the two another process may come. False, and
-  /// nothing is held, when another process holds it.
+  /// Releases a shared lock and takes an exclusive one; another process may take the lock in between. Returns
+  /// false, with nothing held, when another process has it.
   bool make_exclusive();
 
-  /// For reading and writing, at the file's end.
+  /// The open file: for reading, and for appending.
   int descriptor() const { return descriptor_; }
 
  private:

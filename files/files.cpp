@@ -1,12 +1,12 @@
 #include "files/files.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <openssl/evp.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -15,13 +15,29 @@
 namespace cps {
 namespace {
 
-/// Differs between all threads of all processes of all machines that write to one folder.
-std::string unique_text() {
+constexpr std::string_view temporary_ending = ".tmp";
+constexpr std::size_t process_digits = 8;
+
+/// `<file>.<process>-<count>.tmp`, both numbers in hexadecimal: differs between all threads of all processes
+/// of all machines that write to one folder. The process is a random number.
+std::filesystem::path temporary_name(const std::filesystem::path& file) {
   static const unsigned process = std::random_device()();
   static std::atomic<unsigned> count = 0;
-  char text[24];
-  std::snprintf(text, sizeof text, "%08x-%x", process, count++);
-  return text;
+  return fmt::format("{}.{:08x}-{:x}{}", file.string(), process, count++, temporary_ending);
+}
+
+/// Whether temporary_name() could have made it.
+bool is_temporary_name(std::string_view name) {
+  if (!name.ends_with(temporary_ending)) return false;
+  name.remove_suffix(temporary_ending.size());
+  const std::size_t dot = name.rfind('.');
+  if (dot == name.npos || dot == 0) return false;
+  const std::string_view unique = name.substr(dot + 1);
+  const auto are_digits = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789abcdef") == text.npos;
+  };
+  return unique.find('-') == process_digits && are_digits(unique.substr(0, process_digits)) &&
+         are_digits(unique.substr(process_digits + 1));
 }
 
 }  // namespace
@@ -42,7 +58,7 @@ nlohmann::json read_json(const std::filesystem::path& file) {
 
 void write_by_rename(const std::filesystem::path& file,
                      const std::function<void(const std::filesystem::path& temporary)>& write) {
-  const std::filesystem::path temporary = file.string() + "." + unique_text() + ".tmp";
+  const std::filesystem::path temporary = temporary_name(file);
   try {
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
     write(temporary);
@@ -74,7 +90,7 @@ void write_file(const std::filesystem::path& file, std::span<const char> bytes) 
 
 void remove_temporaries(const std::filesystem::path& folder) {
   for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().filename().string().find(".tmp") != std::string::npos)
+    if (entry.is_regular_file() && is_temporary_name(entry.path().filename().string()))
       std::filesystem::remove(entry.path());
 }
 

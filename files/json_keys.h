@@ -8,12 +8,11 @@
 
 namespace cps {
 
-/// Reads the keys of a JSON object that came from outside. Every function throws std::runtime_error in one
-/// line,
-/// `<file>: <key>: <what is wrong>`.
+/// Reads and checks the keys of a JSON object. Every function throws std::runtime_error with one line,
+/// `<file>: <key>: <what is wrong>`, when the key is missing or its value is of another kind.
 struct JsonKeys {
   const nlohmann::json& json;
-  const std::string& file;
+  const std::string& file;  ///< for error messages
 
   [[noreturn]] void fail(const std::string& key, const std::string& what) const;
 
@@ -24,6 +23,7 @@ struct JsonKeys {
   int pixels(const std::string& key) const;
   std::string text(const std::string& key) const;
   JsonKeys object(const std::string& key) const;
+  /// A list of `count` numbers.
   std::vector<double> numbers(const std::string& key, std::size_t count) const;
   /// Nested lists, one per row.
   Eigen::MatrixXd matrix(const std::string& key, int rows, int columns) const;

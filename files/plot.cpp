@@ -9,11 +9,11 @@
 namespace cps {
 namespace {
 
-constexpr int width = 420, height = 300;                     ///< of one diagram, user units
+constexpr int width = 420, height = 300;                     ///< of one diagram, in SVG user units
 constexpr int left = 62, right = 14, top = 30, bottom = 44;  ///< its margins
 constexpr std::array colours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7",
-    "#e69f00", "#56b4e9", "#000000"};  ///< told apart by everyone: Okabe and Ito 2008
+    "#e69f00", "#56b4e9", "#000000"};  ///< distinct for colour-blind readers too (Okabe and Ito 2008)
 
 std::string escaped(const std::string& text) {
   std::string xml;
@@ -42,7 +42,7 @@ Interval range_of(const Plot& plot, int axis) {
   return {range.low - margin, range.high + margin};
 }
 
-/// Where a diagram's values lie on the page.
+/// Maps a diagram's values to positions on the page.
 struct Axes {
   Interval x, y;
   double page_x(double value) const {
@@ -84,7 +84,7 @@ std::string frame(const Plot& plot, const Axes& axes) {
          svg;
 }
 
-/// Lines are clipped at the frame by the page; dots outside it are left out.
+/// The SVG viewer clips lines at the frame; dots outside it are left out here.
 std::string curve(const PlotSeries& series, const Axes& axes, const char* colour) {
   std::string path;
   bool pen_down = false;

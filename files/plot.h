@@ -8,33 +8,34 @@
 
 #include "numbers/interval.h"
 
-/// Diagrams as SVG, for pages and reports: no fonts or programs needed to make or read them.
+/// Diagrams as SVG. Written by hand so that reports need no plotting program, and the same data give the same
+/// bytes.
 namespace cps {
 
 enum class PlotStyle { line, dots };
 
 struct PlotSeries {
-  std::string name = {};  ///< for the legend; empty: not in it
+  std::string name = {};  ///< shown in the legend unless empty
   PlotStyle style = PlotStyle::line;
-  std::vector<Eigen::Vector2d> points = {};  ///< not finite: a gap
+  std::vector<Eigen::Vector2d> points = {};  ///< a point that is not finite interrupts the line
 };
 
-/// One diagram. A range that is not given is that of the points.
+/// One diagram. Without a range, the axis covers the points.
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<PlotSeries> series = {};
   std::optional<Interval> x_range = {}, y_range = {};
 };
 
-/// The outline of a histogram: the density of the values in `bins` equal bins on `range`, relative to all
-/// values. Bins ≥ 1, and the range is not empty.
+/// The outline of a histogram: the density of the values in `bins` equal bins on `range`, so that its area is
+/// the share of all values that lie in the range. Needs bins ≥ 1 and range.low < range.high.
 PlotSeries histogram(const std::string& name, std::span<const double> values, Interval range, int bins);
 
-/// Values at round steps (1, 2 or 5 times a power of ten), about `count` of them, inside the range (Heckbert
-/// 1990). At least one; `low` < `high`.
+/// Multiples of a round step (1, 2 or 5 times a power of ten) inside the range, about `count` of them and at
+/// least one (Heckbert 1990). Needs range.low < range.high.
 std::vector<double> round_ticks(Interval range, int count);
 
-/// The diagrams in rows of `columns`, as an SVG document. The same bytes for the same diagrams.
+/// An SVG document with the diagrams in rows of `columns`. The same diagrams give the same bytes.
 std::string to_svg(std::span<const Plot> plots, int columns);
 
 }  // namespace cps

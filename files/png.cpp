@@ -11,7 +11,7 @@
 namespace cps {
 namespace {
 
-void append_number(std::string& bytes, std::uint32_t value) {  // big-endian, as PNG has them
+void append_number(std::string& bytes, std::uint32_t value) {  // big-endian
   for (int shift : {24, 16, 8, 0}) bytes += static_cast<char>(value >> shift & 255);
 }
 
@@ -32,8 +32,8 @@ std::string header(int width, int height, int channels) {
   return data;
 }
 
-/// The rows, each after its filter's number: every byte less the same channel's of the pixel to the left
-/// (SUB).
+/// PNG's filter SUB: each row begins with the filter's number, then every byte minus that of the same channel
+/// in the pixel to the left.
 std::vector<std::uint8_t> filtered_rows(const OIIO::ImageBuf& image) {
   const int height = image.spec().height, channels = image.spec().nchannels;
   const std::size_t row_bytes = static_cast<std::size_t>(image.spec().width) * channels;

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "dataset/job/frames.h"
-#include "dataset/job/image_file.h"
 #include "dataset/labels/label.h"
+#include "dataset/pixels/image_file.h"
 #include "files/files.h"
 #include "production/condition_scene.h"
 #include "production/progress.h"
@@ -19,26 +19,26 @@
 namespace cps {
 namespace {
 
-struct DrawnImage {
+struct ChosenImage {
   std::int64_t view;
   int group;
 };
 
-/// Any image with equal chance, none twice, in the plan's order.
-std::vector<DrawnImage> draw_images(const Plan& plan, const RerenderOptions& options) {
-  std::vector<DrawnImage> images;
+/// Each image with equal chance, none twice, in the plan's order.
+std::vector<ChosenImage> choose_images(const Plan& plan, const RerenderOptions& options) {
+  std::vector<ChosenImage> images;
   for (std::size_t v = 0; v < plan.views.size(); ++v)
     for (int g : plan.views[v].groups) images.push_back({static_cast<std::int64_t>(v), g});
   const auto wanted = std::min<std::size_t>(options.images, images.size());
   draw_to_front(images, wanted, make_stream(options.seed, "rerender"));
   images.resize(wanted);
-  std::sort(images.begin(), images.end(), [](const DrawnImage& a, const DrawnImage& b) {
+  std::sort(images.begin(), images.end(), [](const ChosenImage& a, const ChosenImage& b) {
     return std::pair(a.view, a.group) < std::pair(b.view, b.group);
   });
   return images;
 }
 
-/// Brightness as the eye has it, from 0 to 1: of stored pixels, or of linear ones after exposure.
+/// sRGB-encoded brightness from 0 to 1: of stored pixels, or of linear ones after exposure.
 OIIO::ImageBuf brightness(const OIIO::ImageBuf& image, bool is_linear) {
   OIIO::ImageBuf values;
   values.copy(image, OIIO::TypeDesc::FLOAT);
@@ -48,26 +48,31 @@ OIIO::ImageBuf brightness(const OIIO::ImageBuf& image, bool is_linear) {
   return values.spec().nchannels == 1 ? values : luminance(values);
 }
 
+/// Renders what the files say: `label` the camera and its lens, `frame` where car and camera stand. `view`
+/// gives the seed alone.
 OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const Label& label,
                             const FrameRow& frame, RenderScene& scene, const RerenderOptions& options) {
-  put_car(scene, world_from_vehicle(view.place));
-  Camera camera = camera_of(view, label.camera);
-  camera.lens = label.distortion;
+  put_car(scene, world_from_vehicle(frame.vehicle));
+  const Camera camera{
+      .world_from_camera = world_from_camera(frame), .pinhole = label.camera, .lens = label.distortion};
   OIIO::ImageBuf image = render(scene, camera,
                                 {.samples = options.samples,
                                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
                                  .seed = make_stream(view.seed, "again").key,
                                  .filter = PixelFilter::gaussian});
-  image = expose(image, frame.exposure, {.exposure_bias_ev = frame.exposure_bias_ev});
+  image = expose(image, frame.exposure, frame.sensor);
   return plan.recipe.image_format == ImageFormat::png_gray ? luminance(image) : image;
 }
 
 std::string fault_of(const Registration& found, const RerenderOptions& options) {
+  if (!(found.correlation >= options.min_correlation))
+    return fmt::format("shows another view than its label and pose say (correlation {:.2f})",
+                       found.correlation);
   const double shift = std::hypot(found.shift_x_px, found.shift_y_px);
-  if (shift - 3 * found.shift_noise_px > options.most_shift_px)
-    return fmt::format("lies {:.2f} px off what its label says", shift);
-  if (found.block_rms_px > options.most_block_rms_px)
-    return fmt::format("its parts lie {:.2f} px (rms) off what its label says", found.block_rms_px);
+  if (shift - 3 * found.shift_noise_px > options.max_shift_px)
+    return fmt::format("lies {:.2f} px off what its label and pose say", shift);
+  if (found.block_rms_px > options.max_block_rms_px)
+    return fmt::format("its parts lie {:.2f} px (rms) off what its label and pose say", found.block_rms_px);
   return "";
 }
 
@@ -81,11 +86,11 @@ FrameRow frame_of(const std::filesystem::path& root, const std::filesystem::path
 
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
                                       const RerenderOptions& options) {
-  const std::vector<DrawnImage> drawn = draw_images(plan, options);
+  const std::vector<ChosenImage> chosen = choose_images(plan, options);
   std::vector<RerenderedImage> images;
   ConditionScene loaded;
-  Progress progress("images", 0, static_cast<std::int64_t>(drawn.size()));
-  for (const DrawnImage& image : drawn) {
+  Progress progress("images", 0, static_cast<std::int64_t>(chosen.size()));
+  for (const ChosenImage& image : chosen) {
     const PlannedView& view = plan.views[image.view];
     const std::string file = plan.groups[image.group].folder + "/" + image_name(plan, view);
     const std::filesystem::path calibration = root / plan.groups[image.group].folder / "calibration.json";
@@ -114,12 +119,13 @@ void write_report(const std::filesystem::path& root, const RerenderOptions& opti
                     {"blocks", found.blocks},
                     {"block_rms_px", found.block_rms_px},
                     {"worst_block_px", found.worst_block_px},
+                    {"correlation", found.correlation},
                     {"psnr_db", found.psnr_db},
                     {"fault", image.fault}});
   }
   write_json(root / ".cps" / "rerender.json", {{"samples", options.samples},
-                                               {"most_shift_px", options.most_shift_px},
-                                               {"most_block_rms_px", options.most_block_rms_px},
+                                               {"most_shift_px", options.max_shift_px},
+                                               {"most_block_rms_px", options.max_block_rms_px},
                                                {"images", list}});
 }
 

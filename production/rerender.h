@@ -10,11 +10,12 @@
 namespace cps {
 
 struct RerenderOptions {
-  int images = 0;          ///< how many are drawn
-  int samples = 64;        ///< per pixel
-  std::uint64_t seed = 0;  ///< of the draw
-  /// A stored image is at fault when it lies further off than this: as a whole, or as its blocks do, rms.
-  double most_shift_px = 0.1, most_block_rms_px = 0.2;
+  int images = 0;                 ///< how many are chosen at random
+  int samples = 64;               ///< per pixel
+  std::uint64_t seed = 0;         ///< of the random choice
+  double max_shift_px = 0.1;      ///< between a stored image and its render, beyond three times the noise
+  double max_block_rms_px = 0.2;  ///< rms of the shifts of its blocks
+  double min_correlation = 0.5;   ///< below it the two show different views, and their shifts mean nothing
 };
 
 struct RerenderedImage {
@@ -23,13 +24,14 @@ struct RerenderedImage {
   std::string fault;  ///< empty: agrees
 };
 
-/// Renders drawn images of a dataset again, through the lens that their calibration.json names, each ray by
-/// itself: no master, no crop, no warp. What agrees proves the label against the pixels. Throws
-/// std::runtime_error in one line.
+/// Renders randomly chosen images again and registers each with the stored one. Camera and lens are those of
+/// calibration.json, the poses of car and camera those of frames.csv, and the lens bends each ray: no master,
+/// no crop, no warp. An image that agrees proves its label and its pose. Of the plan only scene, light and
+/// the renderer's settings are used. Throws std::runtime_error with one line.
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
                                       const RerenderOptions& options);
 
-/// Writes the comparison as `.cps/rerender.json` of the dataset.
+/// Writes the comparison to `.cps/rerender.json` in the dataset.
 void write_report(const std::filesystem::path& root, const RerenderOptions& options,
                   const std::vector<RerenderedImage>& images);
 

@@ -6,9 +6,9 @@
 #include <exception>
 #include <vector>
 
-#include "dataset/job/image_file.h"
-#include "dataset/job/master_file.h"
 #include "dataset/job/masters.h"
+#include "dataset/pixels/image_file.h"
+#include "dataset/pixels/master_file.h"
 #include "distortion/warp/render_noise.h"
 #include "files/files.h"
 #include "numbers/cpu_time.h"

@@ -30,7 +30,7 @@ int cps_contact_sheet(const Arguments& arguments) {
                      options, positional, values))
     return 0;
   po::notify(values);
-  if (std::string why; !sheet.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = sheet.fault(); !fault.empty()) throw po::error(fault);
   const Dataset dataset = read_dataset(values["dataset"].as<std::string>());
   const std::string output = values["output"].as<std::string>();
   write_file(output, encode_png(contact_sheet(dataset, sheet)));

@@ -98,7 +98,7 @@ A lens and crop for which the pictures are too coarse, or do not reach far enoug
   po::notify(values);
   request.options.lens.scheme = flag_value<LensScheme>("draw", request.scheme);
   if (!request.size.empty()) request.options.size = flag_value<ImageSize>("size", request.size);
-  if (std::string why; !request.options.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   if (fs::exists(request.output)) throw std::runtime_error(request.output + ": exists; name a new folder");
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     request.threads > 0 ? request.threads : tbb::info::default_concurrency());

@@ -7,10 +7,9 @@
 #include "dataset/exchange/camera_json.h"
 #include "dataset/job/frames.h"
 #include "dataset/job/masters.h"
+#include "dataset/job/recipe_json.h"
 #include "dataset/labels/group_label.h"
 #include "files/files.h"
-#include "sampler/recipe/recipe_keys.h"
-#include "sampler/recipe/recipe_values.h"
 
 namespace cps {
 namespace {
@@ -18,13 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array parts = {Part::train, Part::val, Part::test};
-
-Json recipe_json(const Recipe& recipe) {
-  Json json;
-  for_each_recipe_key(
-      recipe, [&](const char* key, const auto& value, const char*) { json[key] = value_text(value); });
-  return json;
-}
 
 Json conditions_json(const Plan& plan) {
   Json json = Json::array();

@@ -9,17 +9,18 @@
 
 namespace cps {
 
-/// Writes the group's calibration.json if it is not there: what is there came by rename from the same job.
+/// Writes the group's calibration.json unless it exists; an existing one is complete and of the same job.
 void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group);
 
-/// Writes what only the whole dataset knows: labels that no view asked for, frames.csv in every leaf folder,
-/// the split lists, and last dataset.json, whose presence means that the dataset is finished; removes what
-/// killed processes left half-written, so that no other process may be writing there. `records` must hold
-/// every view of the plan; `scene_sha256` is parallel to its scenes.
+/// Writes the files that describe the whole dataset: labels of groups without views, frames.csv in every leaf
+/// folder, the split lists, and last dataset.json, which marks the dataset as finished. Removes temporary
+/// files of killed processes, so no other process may be writing there. `records` must hold every view of the
+/// plan; `scene_sha256` is parallel to its scenes.
 void finish_dataset(const std::filesystem::path& root, const Plan& plan,
                     const std::map<std::int64_t, ViewRecord>& records,
                     const std::vector<std::string>& scene_sha256);
 
+/// Whether the folder has a dataset.json.
 bool is_finished(const std::filesystem::path& root);
 
 }  // namespace cps

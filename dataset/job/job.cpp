@@ -16,7 +16,7 @@ fs::path job_file(const fs::path& dataset) {
   return dataset / ".cps" / "job.json";
 }
 
-/// `"key = old" became "key = new"` of the first line that differs; empty when none does.
+/// `"key = old" became "key = new"` for the first line that differs; empty when none does.
 std::string first_difference(const std::string& before, const std::string& now) {
   std::istringstream before_lines(before), now_lines(now);
   while (before_lines || now_lines) {

@@ -38,12 +38,12 @@ std::vector<std::pair<Shard, fs::path>> journals_in(const fs::path& dataset) {
   return journals;
 }
 
-/// The length of the whole lines that `text` begins with.
+/// The length of `text` up to and including its last line break.
 std::size_t length_of_lines(const std::string& text) {
   return text.rfind('\n') + 1;  // npos + 1 = 0: no whole line
 }
 
-/// Eight digits that a damaged line does not have.
+/// Eight hexadecimal digits that show whether a line is damaged.
 std::string check_digits(const nlohmann::ordered_json& line) {
   return sha256(line.dump()).substr(0, 8);
 }
@@ -54,7 +54,7 @@ std::string line_of(const ViewRecord& record) {
   return line.dump() + "\n";
 }
 
-/// Throws when the line is not as it was written.
+/// Throws std::runtime_error when the line is damaged.
 ViewRecord record_of(const std::string& text, const fs::path& file) {
   nlohmann::ordered_json line = nlohmann::ordered_json::parse(text);
   const std::string check = line.value("check", "");
@@ -115,7 +115,7 @@ Journal::Journal(const fs::path& dataset, const Shard& shard)
 void Journal::append(const ViewRecord& record) {
   const std::string line = line_of(record);
   const off_t before = lseek(lock_.descriptor(), 0, SEEK_END);
-  // One write, so that a kill leaves either the whole line or a last line without its end.
+  // A single write: a kill leaves either the whole line or a last line without its line break.
   errno = 0;
   const ssize_t written = write(lock_.descriptor(), line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size()) && fdatasync(lock_.descriptor()) == 0) return;

@@ -8,8 +8,8 @@
 
 #include "sensor/develop.h"
 
-/// What was found out while making the images and the plan does not know. The journal keeps it until the
-/// dataset is finished.
+/// Facts about the images that are measured or drawn while they are made, so the plan does not hold them. The
+/// journal keeps them until the dataset is finished.
 namespace cps {
 
 struct ImageRecord {
@@ -26,10 +26,10 @@ struct MasterRecord {
   std::string sha256;       ///< of the file
 };
 
-/// A view all of whose images are under their final names, and its master, if it is kept.
+/// A view whose images, and kept master, are all written.
 struct ViewRecord {
   std::int64_t view = 0;  ///< index into Plan::views
-  double exposure = 1;    ///< metered on the master
+  double exposure = 1;    ///< metered on the master: linear radiance → share of white
   std::vector<ImageRecord> images;
   std::optional<MasterRecord> master = {};
 };

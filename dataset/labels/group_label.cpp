@@ -13,34 +13,41 @@ std::string generator_name() {
   return "cps " CPS_VERSION;
 }
 
-Label group_label(const Plan& plan, const PlannedGroup& group) {
-  const RigCamera& camera = plan.rig.cameras[group.camera];
-  const Eigen::AlignedBox2d frame = frame_on_plane(group.lens.base);
-  const LensBounds& bounds = plan.recipe.lens_options.bounds;
+Label lens_label(const DrawnLens& lens, const LensBounds& bounds) {
+  const Eigen::AlignedBox2d frame = frame_on_plane(lens.base);
   const Certificate certificate =
-      certify(group.lens.distortion, frame,
+      certify(lens.distortion, frame,
               {.min_eigenvalue = bounds.min_eigenvalue, .max_eigenvalue = bounds.max_eigenvalue});
-  if (!certificate.valid)
-    throw std::runtime_error(group.folder + ": lens is not certified: " + certificate.why);
-  // Never empty: the crop keeps the whole frame inside the lens' image of the master.
-  const TrueFov true_angles = *true_fov(group.lens.distortion, group.lens.crop.camera, frame);
-  Label label{.camera = group.lens.crop.camera,
-              .distortion = group.lens.distortion,
-              .fov_base_deg = degrees(hfov_rad(group.lens.base)),
-              .fov_true_h_deg = degrees(true_angles.horizontal_rad),
-              .fov_true_v_deg = degrees(true_angles.vertical_rad),
-              .fov_true_d_deg = degrees(true_angles.diagonal_rad),
-              .zoom = group.lens.crop.zoom,
+  if (!certificate.valid) throw std::runtime_error("lens is not certified: " + certificate.why);
+  const auto angles = true_fov(lens.distortion, lens.crop.camera, frame);
+  // The crop keeps the whole frame inside the lens' image of the master, where every ray has an angle.
+  if (!angles) throw std::runtime_error("lens shows less than its crop: its true angles are not defined");
+  Label label{.camera = lens.crop.camera,
+              .distortion = lens.distortion,
+              .fov_base_deg = degrees(hfov_rad(lens.base)),
+              .fov_true_h_deg = degrees(angles->horizontal_rad),
+              .fov_true_v_deg = degrees(angles->vertical_rad),
+              .fov_true_d_deg = degrees(angles->diagonal_rad),
+              .zoom = lens.crop.zoom,
               .certificate_min_eigenvalue = certificate.min_eigenvalue,
               .certificate_max_roundtrip_px = 0,
-              .limits = group.lens.limits,
-              .rig_camera = camera.name,
-              .vehicle_from_camera = vehicle_from_camera(camera),
-              .part = group.part,
-              .seed = plan.recipe.seed,
+              .limits = lens.limits,
+              .rig_camera = {},
               .generator = generator_name()};
-  label.certificate_max_roundtrip_px = check_label(label).worst_roundtrip_px;
+  label.certificate_max_roundtrip_px = check_label(label).max_roundtrip_px;
   return label;
+}
+
+Label group_label(const Plan& plan, const PlannedGroup& group) try {
+  const RigCamera& camera = plan.rig.cameras[group.camera];
+  Label label = lens_label(group.lens, plan.recipe.lens_options.bounds);
+  label.rig_camera = camera.name;
+  label.vehicle_from_camera = vehicle_from_camera(camera);
+  label.part = group.part;
+  label.seed = plan.recipe.seed;
+  return label;
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(group.folder + ": " + error.what());
 }
 
 }  // namespace cps

@@ -10,10 +10,10 @@
 namespace cps {
 namespace {
 
-/// K and fov are written with full precision, so they agree far better than this.
+/// Relative. K and fov are written with full precision, so they agree far better than this.
 constexpr double agreement = 1e-6;
 
-/// What is written twice must agree.
+/// Numbers that are written twice must agree.
 void check_camera(const Pinhole& camera, const JsonKeys& reader) {
   if (!(camera.fx > 0 && camera.fy > 0)) reader.fail("K", "focal lengths must be positive");
   const double focal_from_fov = camera.width / (2 * std::tan(radians(reader.number("fov")) / 2));

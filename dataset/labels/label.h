@@ -13,8 +13,7 @@
 
 namespace cps {
 
-/// Everything one leaf folder's calibration.json says: its images share size, rig camera, base H-FOV and
-/// lens.
+/// The contents of a leaf folder's calibration.json: its images share size, rig camera, base H-FOV and lens.
 struct Label {
   Pinhole camera;  ///< of the final image; fx = fy; hfov_rad(camera) is the label's `fov`
   Distortion distortion;
@@ -24,7 +23,8 @@ struct Label {
   double fov_true_h_deg = 0, fov_true_v_deg = 0, fov_true_d_deg = 0;
   double zoom = 1;  ///< of the crop
   double certificate_min_eigenvalue = 0, certificate_max_roundtrip_px = 0;
-  /// In the order k1 k2 k3 p1 p2 cx cy; empty for joint draws and for the undistorted group.
+  /// The interval that each number was drawn from, in the order of lens_keys; empty for numbers drawn
+  /// together, and for the undistorted group.
   std::array<std::optional<Interval>, 7> limits;
   std::string rig_camera;
   Eigen::Isometry3d vehicle_from_camera = Eigen::Isometry3d::Identity();
@@ -33,14 +33,14 @@ struct Label {
   std::string generator;  ///< program and version
 };
 
-/// The undistorted camera before the crop, of the image's size and centred: on its frame the lens is
-/// certified.
+/// The undistorted camera before the crop: of the image's size, with a centred principal point. The lens is
+/// certified on its frame.
 Pinhole base_of(const Label& label);
 
 /// Written as `schema`. A file with another number is refused.
 inline constexpr int label_schema = 1;
 
-/// The keys under which the first seven numbers of `limits` and the label itself are written.
+/// The keys of these seven numbers, both in the label and in its `limits`.
 inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1", "p2", "cx", "cy"};
 
 nlohmann::ordered_json to_json(const Label& label);

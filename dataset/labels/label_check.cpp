@@ -14,7 +14,7 @@ namespace {
 
 constexpr int rim_samples = 4096;  ///< per edge of the master
 constexpr int grid_samples = 24;   ///< per axis of the frame
-constexpr double worst_allowed_roundtrip_px = 1e-6;
+constexpr double max_allowed_roundtrip_px = 1e-6;
 constexpr double angle_tolerance_deg = 1e-6;
 
 /// Signed distance in pixels from the frame's border to `pixel`: positive outside, in the maximum norm.
@@ -69,9 +69,9 @@ LabelCheck check_label(const Label& label) {
   check.rim_margin_px = rim_margin_px(label, master);
   fault(check.rim_margin_px < -1e-6,
         fmt::format("crop: the master's rim lies {} px inside the frame", -check.rim_margin_px));
-  check.worst_roundtrip_px = roundtrip_px(label, master);
-  fault(!(check.worst_roundtrip_px <= worst_allowed_roundtrip_px),
-        fmt::format("certificate: round trip off by {} px", check.worst_roundtrip_px));
+  check.max_roundtrip_px = roundtrip_px(label, master);
+  fault(!(check.max_roundtrip_px <= max_allowed_roundtrip_px),
+        fmt::format("certificate: round trip off by {} px", check.max_roundtrip_px));
   fault(std::abs(label.camera.fx / base.fx - label.zoom) > 1e-9 * label.zoom,
         "crop: zoom contradicts fov and fov_base_deg");
   const std::optional<TrueFov> true_angles = true_fov(label.distortion, label.camera, master);

@@ -26,7 +26,7 @@ struct Dataset {
   std::vector<DatasetImage> images;  ///< in the order of the split lists: train, val, test
 };
 
-/// Reads a finished dataset (every calibration.json and the split lists; no pixels). Throws
+/// Reads the labels (every calibration.json) and the split lists of a finished dataset; no pixels. Throws
 /// std::runtime_error with one line: folder or file, what is wrong, what to do.
 Dataset read_dataset(const std::filesystem::path& root);
 

@@ -23,7 +23,7 @@ Picture copy_of(const OIIO::ImageBuf& image) {
   return picture;
 }
 
-/// (1 4 6 4 1)/16 along each axis; the rim is repeated.
+/// Smoothed by (1 4 6 4 1)/16 along each axis; pixels of the rim are repeated outward.
 Picture smoothed(const Picture& from) {
   constexpr float weights[] = {1 / 16.f, 4 / 16.f, 6 / 16.f, 4 / 16.f, 1 / 16.f};
   Picture rows = from, both = from;
@@ -51,8 +51,8 @@ struct Region {
   int x0, y0, x1, y1;  ///< exclusive at the end
 };
 
-/// Neighbouring differences after the binomial kernel are not independent: this many pixels count as one
-/// (1 / Σ of the squared kernel's correlation, 70/256 per axis).
+/// After the binomial kernel neighbouring differences are not independent: this many pixels count as one
+/// sample (per axis 1 / Σ w² = 256/70).
 constexpr double pixels_per_sample = (256.0 / 70) * (256.0 / 70);
 
 Shift shift_of(const Picture& a, const Picture& b, const Region& region) {
@@ -85,6 +85,24 @@ Shift shift_of(const Picture& a, const Picture& b, const Region& region) {
   return {.px = solver.solve(right), .noise_px = std::sqrt(covariance.trace())};
 }
 
+/// Sums of squares and products about the means of one region.
+struct Moments {
+  double aa = 0, bb = 0, ab = 0;
+};
+
+Moments moments_of(const Picture& a, const Picture& b, const Region& region) {
+  double count = 0, sum_a = 0, sum_b = 0;
+  Moments sums;
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x) {
+      const double va = a.at(x, y), vb = b.at(x, y);
+      ++count, sum_a += va, sum_b += vb;
+      sums.aa += va * va, sums.bb += vb * vb, sums.ab += va * vb;
+    }
+  if (count == 0) return {};
+  return {sums.aa - sum_a * sum_a / count, sums.bb - sum_b * sum_b / count, sums.ab - sum_a * sum_b / count};
+}
+
 }  // namespace
 
 Registration register_pictures(const OIIO::ImageBuf& first, const OIIO::ImageBuf& second,
@@ -101,7 +119,7 @@ Registration register_pictures(const OIIO::ImageBuf& first, const OIIO::ImageBuf
   }
   result.psnr_db = -10 * std::log10(std::max(square / static_cast<double>(raw_a.values.size()), 1e-12));
 
-  constexpr int rim = 3;  // where the smoothing repeats pixels
+  constexpr int rim = 3;  // the smoothing repeats pixels there
   const Region inside{rim, rim, a.width - rim, a.height - rim};
   const Shift whole = shift_of(a, b, inside);
   result.shift_x_px = whole.px.x();
@@ -110,19 +128,22 @@ Registration register_pictures(const OIIO::ImageBuf& first, const OIIO::ImageBuf
   const int across = std::max(1, (inside.x1 - inside.x0) / options.block_px);
   const int down = std::max(1, (inside.y1 - inside.y0) / options.block_px);
   double sum = 0;
+  Moments all;
   for (int j = 0; j < down; ++j)
     for (int i = 0; i < across; ++i) {
       const auto part = [](int begin, int end, int k, int n) { return begin + (end - begin) * k / n; };
-      const Shift block =
-          shift_of(a, b,
-                   {part(inside.x0, inside.x1, i, across), part(inside.y0, inside.y1, j, down),
-                    part(inside.x0, inside.x1, i + 1, across), part(inside.y0, inside.y1, j + 1, down)});
-      if (!(block.noise_px < options.most_noise_px)) continue;
+      const Region region{part(inside.x0, inside.x1, i, across), part(inside.y0, inside.y1, j, down),
+                          part(inside.x0, inside.x1, i + 1, across), part(inside.y0, inside.y1, j + 1, down)};
+      const Moments moments = moments_of(a, b, region);
+      all.aa += moments.aa, all.bb += moments.bb, all.ab += moments.ab;
+      const Shift block = shift_of(a, b, region);
+      if (!(block.noise_px < options.max_noise_px)) continue;
       const double beyond_noise = block.px.squaredNorm() - block.noise_px * block.noise_px;
       sum += beyond_noise;
       ++result.blocks;
       result.worst_block_px = std::max(result.worst_block_px, std::sqrt(std::max(0.0, beyond_noise)));
     }
+  if (all.aa > 0 && all.bb > 0) result.correlation = all.ab / std::sqrt(all.aa * all.bb);
   if (result.blocks > 0) result.block_rms_px = std::sqrt(std::max(0.0, sum / result.blocks));
   return result;
 }

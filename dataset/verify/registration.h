@@ -7,25 +7,28 @@
 namespace cps {
 
 struct RegistrationOptions {
-  int block_px = 48;  ///< side of the blocks, about
-  double most_noise_px =
-      0.1;  ///< blocks whose shift is less certain than this (standard deviation) do not count
+  int block_px = 48;  ///< approximate side of the blocks
+  /// Blocks whose shift has a larger standard deviation than this are left out.
+  double max_noise_px = 0.1;
 };
 
-/// How far two pictures of the same thing are apart.
+/// How far two pictures of the same scene are apart.
 struct Registration {
-  double shift_x_px = 0, shift_y_px = 0;  ///< of the whole, second against first
-  double shift_noise_px = 0;  ///< its standard deviation, as the difference of the pictures has it
-  int blocks = 0;             ///< that count
-  double block_rms_px = 0;    ///< shifts of the blocks, what their noise explains taken off
-  double worst_block_px = 0;  ///< likewise
-  double psnr_db = 0;         ///< of values with white at 1
+  double shift_x_px = 0, shift_y_px = 0;  ///< of the whole picture, second against first
+  double shift_noise_px = 0;              ///< its standard deviation, estimated from the pictures' difference
+  int blocks = 0;                         ///< that were not left out
+  double block_rms_px = 0;                ///< rms shift of the blocks, beyond what their noise explains
+  double worst_block_px = 0;              ///< largest shift of a block, beyond its noise
+  /// Correlation of the smoothed values about the mean of their block, over all blocks: near 1 for pictures
+  /// of one view, near 0 for others, where the shifts mean nothing.
+  double correlation = 0;
+  double psnr_db = 0;  ///< of values with white at 1
 };
 
-/// Subpixel registration of two pictures with one float channel and one size, which differ by little more
-/// than noise: Gauss–Newton on the brightness difference (Lucas & Kanade 1981), over all pixels and over
-/// blocks, both smoothed first (binomial 5×5) and with the mean of both gradients; differences beyond three
-/// times their median count as that (Huber). Throws std::runtime_error when the sizes differ.
+/// Subpixel registration of two pictures of one float channel and the same size, which differ by little more
+/// than noise: one Gauss–Newton step on the brightness difference (Lucas & Kanade 1981), over all pixels and
+/// over blocks, after smoothing both (binomial 5×5), with the mean of both gradients and Huber weights for
+/// differences beyond three times their median. Throws std::runtime_error when the sizes differ.
 Registration register_pictures(const OIIO::ImageBuf& first, const OIIO::ImageBuf& second,
                                const RegistrationOptions& options = {});
 

@@ -7,21 +7,26 @@
 
 namespace cps {
 
-/// What `verify_dataset` looked at and what it found wrong: one line per fault, file first.
+/// How much `verify_dataset` checked, and one line per fault that it found, file first.
 struct VerifySummary {
   std::int64_t groups = 0, images = 0, masters = 0;
-  double worst_roundtrip_px = 0;  ///< distort(undistort(pixel)) against the pixel, over a grid of every group
-  double least_rim_margin_px =
-      1e30;  ///< how far outside the frame the master's rim lies at its nearest; negative: inside
+  bool has_record = true;  ///< whether there is a dataset.json to compare the files with
+  /// Largest distance between a pixel and distort(undistort(pixel)), over a grid of pixels of every group.
+  double max_roundtrip_px = 0;
+  /// Smallest distance from the frame to the master's rim seen through the lens; negative: the rim lies
+  /// inside.
+  double min_rim_margin_px = 1e30;
   std::vector<std::string> faults;
   std::string brief() const;
 };
 
-/// Checks a finished dataset against itself, trusting nothing that can be computed again: every label (K
+/// Checks a finished dataset against itself and trusts nothing that can be computed again: every label (K
 /// against fov, certificate, crop, limits, true angles), every image (present, size, SHA-256 of the file,
-/// decodable, pixel hash of its list), every kept master, frames.csv and the split lists (every image once,
-/// no lens and no street in two parts, unless the recipe's split is `thesis`). Faults are collected; only a
-/// dataset that cannot be read at all throws std::runtime_error.
+/// decodable, pixel hash of its list), every kept master, frames.csv (poses against the rig's), and the split
+/// lists (every image once, no lens and no street in two parts, unless the recipe's split is `thesis`). Of a
+/// dataset that cps relens made, which has no dataset.json and no frames.csv, the labels, the lists, and
+/// presence and size of the images are checked. Faults are collected; std::runtime_error is thrown only for a
+/// folder that cannot be read as a dataset or is not finished.
 VerifySummary verify_dataset(const std::filesystem::path& root);
 
 }  // namespace cps

@@ -2,9 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <set>
-#include <sstream>
+#include <map>
 #include <stdexcept>
 
 #include "dataset/job/frames.h"
@@ -14,33 +12,37 @@
 namespace cps {
 namespace {
 
-/// How many fields stand before the first that was measured: those are the plan's.
-std::size_t planned_fields(const std::string& header, const std::string& file) {
-  const std::size_t end = header.find(",exposure,");
-  if (end == header.npos) throw std::runtime_error(file + ": exposure: column is missing");
-  return 1 + static_cast<std::size_t>(std::count(header.begin(), header.begin() + end, ','));
-}
-
-/// A line up to and without its `fields`-th comma outside quotes.
-std::string first_fields(const std::string& line, std::size_t fields) {
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') is_quoted = !is_quoted;
-    if (line[i] == ',' && !is_quoted && --fields == 0) return line.substr(0, i);
+/// The columns that the plan decides and that differ between two rows, by name; empty when none does.
+std::string differing_columns(const CsvTable& planned, std::size_t planned_row, const CsvTable& written,
+                              std::size_t written_row) {
+  std::string names;
+  for (const FrameColumn& column : frame_columns()) {
+    if (!column.is_planned) continue;
+    if (planned.at(planned_row, planned.column(column.name)).text() !=
+        written.at(written_row, written.column(column.name)).text())
+      names += (names.empty() ? "" : ", ") + std::string(column.name);
   }
-  return line;
+  return names;
 }
 
-/// The planned part of every line of a frames.csv. Throws std::runtime_error, `file` first, when its header
-/// is none.
-std::set<std::string> planned_lines(const std::string& csv, const std::string& file) {
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  const std::size_t fields = planned_fields(line, file);
-  std::set<std::string> planned;
-  while (std::getline(lines, line)) planned.insert(first_fields(line, fields));
-  return planned;
+/// Compares a leaf folder's frames.csv with the rows that the plan gives. `file` is for the faults.
+std::vector<std::string> frames_faults(const CsvTable& planned, const CsvTable& written,
+                                       const std::string& file) {
+  std::map<std::string, std::size_t> written_rows;  // by image
+  const std::size_t name = written.column("file"), planned_name = planned.column("file");
+  for (std::size_t r = 0; r < written.rows.size(); ++r) written_rows[written.at(r, name).text()] = r;
+  std::vector<std::string> faults;
+  for (std::size_t r = 0; r < planned.rows.size(); ++r) {
+    const std::string& image = planned.at(r, planned_name).text();
+    const auto found = written_rows.find(image);
+    if (found == written_rows.end()) {
+      faults.push_back(file + ": " + image + ": is missing, but the recipe gives it");
+      continue;
+    }
+    if (const std::string names = differing_columns(planned, r, written, found->second); !names.empty())
+      faults.push_back(file + ": " + image + ": " + names + ": is not what the recipe gives");
+  }
+  return faults;
 }
 
 std::vector<std::string> group_faults(const std::filesystem::path& root, const Plan& plan, int g,
@@ -59,10 +61,9 @@ std::vector<std::string> group_faults(const std::filesystem::path& root, const P
     frames.push_back({view, &record, &images.back()});
   }
   const std::string csv = (std::filesystem::path(group.folder) / "frames.csv").string();
-  const std::set<std::string> written = planned_lines(read_file(root / csv), csv);
-  for (const std::string& line : planned_lines(frames_csv(frames), csv))
-    if (!written.contains(line))
-      faults.push_back(csv + ": " + line.substr(0, line.find(',')) + ": is not what the recipe gives");
+  for (std::string& fault :
+       frames_faults(parse_csv(frames_csv(frames), csv), parse_csv(read_file(root / csv), csv), csv))
+    faults.push_back(std::move(fault));
   return faults;
 } catch (const std::runtime_error& error) {
   return {error.what()};

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "dataset/job/finish.h"
-#include "dataset/job/image_file.h"
 #include "dataset/labels/group_label.h"
+#include "dataset/pixels/image_file.h"
 #include "files/files.h"
 #include "files/png.h"
 #include "random/counter_hash.h"

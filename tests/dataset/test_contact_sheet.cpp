@@ -35,3 +35,9 @@ TEST_CASE("a contact sheet shows each set's views at their tiles") {
   std::filesystem::remove(root / plan.groups[0].folder / "000000.png");
   CHECK_THROWS_WITH(contact_sheet(read_dataset(root), options), Catch::Contains("000000.png"));
 }
+
+TEST_CASE("a contact sheet of no columns is refused by name") {
+  CHECK(ContactSheetOptions{}.fault() == "");
+  CHECK(ContactSheetOptions{.columns = 0}.fault() == "columns: must lie in [1, 100]");
+  CHECK(ContactSheetOptions{.tile_width_px = 10}.fault() == "tile-width: must lie in [64, 4096]");
+}

@@ -55,3 +55,12 @@ TEST_CASE("a size that the pictures are too coarse for is refused in one line") 
   CHECK_THROWS_WITH(draw_relens_groups(straight, "cam", 1, {.size = {1280, 960}}),
                     Catch::StartsWith("camera cam: no lens found for 1280x960"));
 }
+
+TEST_CASE("relens options that cannot be are refused by name") {
+  CHECK(RelensOptions{}.fault() == "");
+  CHECK(RelensOptions{.lenses = 0}.fault() == "lenses: must lie in [1, 10000]");
+  CHECK(RelensOptions{.narrowest = 1.5}.fault() == "narrowest: must lie in (0, 1]");
+  RelensOptions options;
+  options.lens.sequential_share = 2;
+  CHECK_THAT(options.fault(), Catch::StartsWith("sequential_share: "));
+}

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "tests/dataset/small_dataset.h"
+#include "files/files.h"
+#include "tests/temporary_folder.h"
 
 using namespace cps;
 
@@ -27,17 +28,33 @@ TEST_CASE("a written file is whole or not there") {
                     Catch::Contains("bad.json") && Catch::Contains("not JSON"));
 }
 
-TEST_CASE("PNG bytes decode to the pixels they were made from and do not vary") {
+TEST_CASE("only what a killed writer left is removed") {
   const TemporaryFolder temporary;
   const auto& folder = temporary.path;
-  OIIO::ImageBuf image(OIIO::ImageSpec(37, 21, 3, OIIO::TypeDesc::UINT8));
-  auto* pixels = static_cast<std::uint8_t*>(image.localpixels());
-  for (int i = 0; i < 3 * 37 * 21; ++i)
-    pixels[i] = static_cast<std::uint8_t>(random_bits(make_stream(0, "png"), i));
-  const std::string bytes = encode_png(image);
-  CHECK(bytes == encode_png(image));
-  write_file(folder / "a.png", bytes);
-  OIIO::ImageBuf read((folder / "a.png").string());
-  REQUIRE(read.read(0, 0, true, OIIO::TypeDesc::UINT8));
-  CHECK(pixels_sha256(read) == pixels_sha256(image));
+  // Names that people and other programs choose.
+  const std::vector<std::string> others = {
+      "notes.tmp",          "notes.tmp.txt",    "x.tmpl",      "a.0123abcd-1.tmp.png", ".0123abcd-1.tmp",
+      "a.0123abcg-1.tmp",   "a.0123abcd-.tmp",  "a.123-1.tmp", "0123abcd-1.tmp",       "a.0123abcd1.tmp",
+      "a.0123abcd-1-1.tmp", "a.00123abcd-1.tmp"};
+  for (const std::string& name : others) write_file(folder / name, std::string("mine"));
+  std::filesystem::create_directories(folder / "b.0123abcd-1.tmp" / "full");
+  // A writer that is killed between writing and renaming, as it finds its own temporary name.
+  std::filesystem::path left;
+  try {
+    write_by_rename(folder / "image.png", [&](const std::filesystem::path& name) {
+      left = name;
+      throw std::runtime_error("killed");
+    });
+  } catch (const std::runtime_error&) {
+  }
+  for (const std::filesystem::path& name : {left, folder / "a.png.0123abcd-1f.tmp"})
+    write_file(name, std::string("half"));
+  remove_temporaries(folder);
+  CHECK_FALSE(std::filesystem::exists(left));
+  CHECK_FALSE(std::filesystem::exists(folder / "a.png.0123abcd-1f.tmp"));
+  for (const std::string& name : others) {
+    INFO(name);
+    CHECK(std::filesystem::exists(folder / name));
+  }
+  CHECK(std::filesystem::exists(folder / "b.0123abcd-1.tmp" / "full"));
 }

@@ -1,25 +1,86 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <pugixml.hpp>
+#include <sstream>
 
 #include "files/plot.h"
 #include "random/counter_hash.h"
 
 using namespace cps;
 
-TEST_CASE("ticks are round and cover the range") {
-  CHECK(round_ticks({0, 1}, 5) == std::vector<double>{0, 0.2, 0.4, 0.6000000000000001, 0.8, 1});
-  CHECK(round_ticks({-0.33, 0.2}, 5) == std::vector<double>{-0.2, 0, 0.2});
-  CHECK(round_ticks({30, 150}, 6) == std::vector<double>{40, 60, 80, 100, 120, 140});
+namespace {
+
+/// The text elements of a diagram that read as numbers: the labels of its ticks.
+std::vector<std::pair<double, pugi::xml_node>> tick_labels(const pugi::xml_node& diagram,
+                                                           const char* anchor) {
+  std::vector<std::pair<double, pugi::xml_node>> labels;
+  for (const pugi::xml_node& text : diagram.children("text")) {
+    char* end = nullptr;
+    const double value = std::strtod(text.child_value(), &end);
+    if (*text.child_value() && *end == 0 && text.attribute("text-anchor").value() == std::string(anchor))
+      labels.emplace_back(value, text);
+  }
+  return labels;
+}
+
+/// The line through the first and the last label: from page to value along one axis.
+struct PageAxis {
+  double value, page, per_page;
+  double value_at(double x) const { return value + (x - page) * per_page; }
+};
+
+PageAxis axis_of(const pugi::xml_node& diagram, const char* anchor, const char* attribute) {
+  const auto labels = tick_labels(diagram, anchor);
+  REQUIRE(labels.size() >= 2);
+  const auto page = [&](const auto& label) { return label.second.attribute(attribute).as_double(); };
+  const PageAxis axis{
+      labels.front().first, page(labels.front()),
+      (labels.back().first - labels.front().first) / (page(labels.back()) - page(labels.front()))};
+  for (const auto& label : labels)  // positions are rounded to a tenth
+    CHECK(std::abs(axis.value_at(page(label)) - label.first) <= .21 * std::abs(axis.per_page));
+  return axis;
+}
+
+/// The points of an SVG path, with the letter that led to each.
+std::vector<std::pair<char, Eigen::Vector2d>> path_points(const pugi::xml_node& path) {
+  std::vector<std::pair<char, Eigen::Vector2d>> points;
+  std::istringstream text(path.attribute("d").value());
+  char letter = 0;
+  while (text >> letter) {
+    double x = 0, y = 0;
+    text >> x;
+    if (letter == 'h') continue;  // a dot: a line of no length
+    REQUIRE((letter == 'M' || letter == 'L'));
+    text >> y;
+    points.emplace_back(letter, Eigen::Vector2d(x, y));
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("ticks are all multiples of a round step inside the range") {
   for (int i = 0; i < 1000; ++i) {
     const Stream stream = substream(make_stream(1, "ticks"), i);
-    const double low = random_uniform(stream, 0, -1, 1),
-                 size = std::pow(10, random_uniform(stream, 1, -6, 6));
-    const auto ticks = round_ticks({low * size, (low + 1) * size}, 6);
-    CHECK(ticks.size() >= 2);
+    const double size = std::pow(10, random_uniform(stream, 1, -6, 6)),
+                 low = size * random_uniform(stream, 0, -1, 1), high = low + size;
+    const auto ticks = round_ticks({low, high}, 6);
+    REQUIRE(ticks.size() >= 2);
     CHECK(ticks.size() <= 7);
-    CHECK(ticks.front() >= low * size - 1e-6 * size);
-    CHECK(ticks.back() <= (low + 1) * size + 1e-6 * size);
+    // One step of 1, 2 or 5 times a power of ten, and a multiple of it inside the range at each tick.
+    const double step = ticks[1] - ticks[0], power = std::pow(10, std::floor(std::log10(step) + 1e-6)),
+                 digit = step / power;
+    CHECK((std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6));
+    for (std::size_t t = 0; t < ticks.size(); ++t) {
+      CHECK(std::abs(ticks[t] / step - std::round(ticks[t] / step)) < 1e-6);
+      CHECK(ticks[t] == Approx(ticks[0] + static_cast<double>(t) * step).margin(1e-6 * step));
+    }
+    // None is missing at either end.
+    CHECK(ticks.front() >= low - 1e-6 * step);
+    CHECK(ticks.front() - step < low + 1e-6 * step);
+    CHECK(ticks.back() <= high + 1e-6 * step);
+    CHECK(ticks.back() + step > high - 1e-6 * step);
   }
 }
 
@@ -34,27 +95,89 @@ TEST_CASE("a histogram's area is the share of the values that it shows") {
   CHECK(area == Approx(shown / 1000.0));
 }
 
-TEST_CASE("a page of diagrams is XML with a curve for each series, whatever its words and numbers") {
-  const double none = NAN;
+TEST_CASE("curves and dots lie where the axes say, and a point that is not finite interrupts a line") {
+  const std::vector<Eigen::Vector2d> line = {{30, -.2}, {55, .1}, {70, NAN}, {100, .31}, {149, .4}},
+                                     dots = {{40, 0}, {60, 99}, {80, .25}};
+  const Plot plot{.title = "",
+                  .x_label = "",
+                  .y_label = "",
+                  .series = {{.name = "line", .points = line},
+                             {.name = "dots", .style = PlotStyle::dots, .points = dots}},
+                  .x_range = {},
+                  .y_range = Interval{-.5, .5}};
+  pugi::xml_document page;
+  REQUIRE(page.load_string(to_svg({&plot, 1}, 1).c_str()));
+  const pugi::xml_node diagram = page.child("svg").child("g");
+  const PageAxis x = axis_of(diagram, "middle", "x"), y = axis_of(diagram, "end", "y");
+  CHECK(y.per_page < 0);  // upward
+  // Labels of y stand a little below their line, to be level with it: the frame says where the lines are.
+  const pugi::xml_node frame = diagram.child("rect");
+  const double top = frame.attribute("y").as_double(), bottom = top + frame.attribute("height").as_double();
+  const auto at = [&](const Eigen::Vector2d& p) {
+    return Eigen::Vector2d(x.value_at(p.x()), -.5 + (bottom - p.y()) / (bottom - top));
+  };
+  // Positions are rounded to a tenth, those of the labels too.
+  const Eigen::Vector2d rounding(.2 * std::abs(x.per_page), .06 * std::abs(y.per_page));
+  const auto check_at = [&](const Eigen::Vector2d& drawn, const Eigen::Vector2d& expected) {
+    INFO(expected.transpose());
+    CHECK(((at(drawn) - expected).cwiseAbs().array() <= rounding.array()).all());
+  };
+  const auto curve = path_points(diagram.find_child_by_attribute("path", "clip-path", "url(#frame)"));
+  REQUIRE(curve.size() == 4);
+  const std::string letters = {curve[0].first, curve[1].first, curve[2].first, curve[3].first};
+  CHECK(letters == "MLML");
+  const std::size_t finite[] = {0, 1, 3, 4};
+  for (int i = 0; i < 4; ++i) check_at(curve[i].second, line[finite[i]]);
+  // The dot outside the range of y is left out.
+  const auto drawn = path_points(diagram.find_child_by_attribute("path", "stroke-linecap", "round"));
+  REQUIRE(drawn.size() == 2);
+  check_at(drawn[0].second, dots[0]);
+  check_at(drawn[1].second, dots[2]);
+  // Ticks of y stand at their lines.
+  for (const auto& [value, label] : tick_labels(diagram, "end"))
+    CHECK(std::abs(at({0, label.attribute("y").as_double()}).y() - value) < 6 * std::abs(y.per_page));
+}
+
+TEST_CASE("a page holds a diagram for each plot, side by side, and its words as they are") {
   const std::vector<Plot> plots = {
-      {.title = "a < b & c",
+      {.title = "a < b & \"c\" > d",
        .x_label = "H-FOV [°]",
        .y_label = "k1",
-       .series = {{.name = "low", .points = {{0, 1}, {1, none}, {2, 3}, {3, 4}}},
-                  {.name = "dots", .style = PlotStyle::dots, .points = {{0, 0}, {1, 99}, {2, 2}}}},
+       .series = {},
        .x_range = {},
-       .y_range = Interval{0, 10}},
-      {.title = "", .x_label = "", .y_label = "", .series = {}, .x_range = {}, .y_range = {}}};
+       .y_range = {}},
+      {.title = "",
+       .x_label = "",
+       .y_label = "",
+       .series = {{.name = "<k1>", .points = {{3, 4}}}},
+       .x_range = {},
+       .y_range = {}},
+      {.title = "third", .x_label = "", .y_label = "", .series = {}, .x_range = {}, .y_range = {}}};
   pugi::xml_document page;
   REQUIRE(page.load_string(to_svg(plots, 2).c_str()));
-  const auto diagrams = page.child("svg").children("g");
-  REQUIRE(std::distance(diagrams.begin(), diagrams.end()) == 2);
-  const pugi::xml_node first = *diagrams.begin();
-  CHECK(first.find_child_by_attribute("text", "font-weight", "bold").child_value() ==
-        std::string("a < b & c"));
-  const pugi::xml_node line = first.find_child_by_attribute("path", "clip-path", "url(#frame)");
-  // A point at the left edge, a gap, then a piece to the right edge; y = 1 … 4 of 10 on 226 units.
-  CHECK(line.attribute("d").value() == std::string("M62.0 233.4M291.3 188.2L406.0 165.6"));
-  const pugi::xml_node dots = first.find_child_by_attribute("path", "stroke-linecap", "round");
-  CHECK(dots.attribute("d").value() == std::string("M62.0 256.0h0M291.3 210.8h0"));
+  const pugi::xml_node svg = page.child("svg");
+  const std::vector<pugi::xml_node> diagrams(svg.children("g").begin(), svg.children("g").end());
+  REQUIRE(diagrams.size() == 3);
+  const auto has_text = [](const pugi::xml_node& diagram, const std::string& words) {
+    const auto texts = diagram.children("text");
+    return std::any_of(texts.begin(), texts.end(), [&](const auto& t) { return t.child_value() == words; });
+  };
+  for (const std::string& words : {plots[0].title, plots[0].x_label, plots[0].y_label})
+    CHECK(has_text(diagrams[0], words));
+  CHECK(has_text(diagrams[1], "<k1>"));
+  CHECK(has_text(diagrams[2], "third"));
+  // Two columns: the second beside the first, the third below it; all on the page.
+  std::vector<Eigen::Vector2d> corners;
+  for (const pugi::xml_node& diagram : diagrams) {
+    double column = -1, row = -1;
+    REQUIRE(std::sscanf(diagram.attribute("transform").value(), "translate(%lf %lf)", &column, &row) == 2);
+    corners.emplace_back(column, row);
+  }
+  const Eigen::Vector2d size(svg.attribute("width").as_double(), svg.attribute("height").as_double());
+  CHECK(corners[0] == Eigen::Vector2d(0, 0));
+  CHECK(corners[1] == Eigen::Vector2d(size.x() / 2, 0));
+  CHECK(corners[2] == Eigen::Vector2d(0, size.y() / 2));
+  const pugi::xml_node frame = diagrams[0].child("rect");
+  CHECK(frame.attribute("x").as_double() + frame.attribute("width").as_double() < size.x() / 2);
+  CHECK(frame.attribute("y").as_double() + frame.attribute("height").as_double() < size.y() / 2);
 }

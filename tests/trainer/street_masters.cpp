@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dataset/job/master_file.h"
+#include "dataset/pixels/master_file.h"
 #include "distortion/warp/master_camera.h"
 #include "files/files.h"
 #include "numbers/angles.h"

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "dataset/job/master_file.h"
+#include "dataset/pixels/master_file.h"
 #include "sensor/develop.h"
 
 namespace cps {

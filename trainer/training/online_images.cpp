@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dataset/job/recipe_json.h"
 #include "sensor/develop.h"
 #include "trainer/images/master_cache.h"
 #include "trainer/images/mirror.h"

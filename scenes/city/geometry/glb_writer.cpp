@@ -10,6 +10,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "files/files.h"
+
 namespace cps::city {
 namespace {
 
@@ -219,24 +221,19 @@ std::size_t GlbWriter::write(const std::filesystem::path& file, const ordered_js
   append(chunk, static_cast<std::uint32_t>(padded));
   append(chunk, std::uint32_t{0x004E4942});  // "BIN"
 
-  std::filesystem::path temporary = file;
-  temporary += ".part";
-  std::ofstream out(temporary, std::ios::binary);
-  const auto put = [&](const void* data, std::size_t size) {
-    out.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
-  };
-  put(header.data(), header.size());
-  put(json.data(), json.size());
-  put(chunk.data(), chunk.size());
-  put(binary.data(), binary.size());
-  put("\0\0\0", padded - binary.size());
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(temporary, file, error);
-  if (!out || error) {
-    std::filesystem::remove(temporary, error);
-    throw std::runtime_error(file.string() + ": cannot be written: choose a folder that exists and has room");
-  }
+  write_by_rename(file, [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    const auto put = [&](const void* data, std::size_t size) {
+      out.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+    };
+    put(header.data(), header.size());
+    put(json.data(), json.size());
+    put(chunk.data(), chunk.size());
+    put(binary.data(), binary.size());
+    put("\0\0\0", padded - binary.size());
+    out.close();
+    if (!out) throw std::runtime_error("choose a folder that may be written to and has room");
+  });
   return 12 + 8 + json.size() + 8 + padded;
 }
 

@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 
-#include "dataset/job/master_file.h"
 #include "dataset/job/masters.h"
+#include "dataset/job/recipe_json.h"
+#include "dataset/pixels/master_file.h"
 #include "tests/apps/dataset/dataset_runs.h"
 #include "tests/apps/street_gltf.h"
 #include "tests/temporary_folder.h"

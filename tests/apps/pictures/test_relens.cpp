@@ -30,6 +30,11 @@ TEST_CASE("every pixel of a relensed picture shows the ray that its label says")
         [&](int x, int y, int) { return value_of(ideal_of(barrel.camera, barrel.distortion, seen, x, y)); });
   run_well("relens --pictures " + (folder.path / "photos").string() + " --lens " + lens.string() + " -o " +
            out.string() + " --lenses 4 --seed 2");
+  const ProgramRun verified = run_cps("verify " + out.string());
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+  CHECK_THAT(verified.output, Catch::Contains("4 groups, 8 images, 0 faults") &&
+                                  Catch::Contains("no dataset.json and frames.csv"));
   const Dataset set = read_dataset(out);
   CHECK(set.groups.size() == 4);
   REQUIRE(set.images.size() == 8);

@@ -68,6 +68,14 @@ TEST_CASE("a stretch about the middle shows in the blocks, not in the shift") {
   CHECK(found.psnr_db > 20);
 }
 
+TEST_CASE("pictures of two views do not correlate, however noisy ones of one view do") {
+  const auto still = [](double, double) { return std::pair(0.0, 0.0); };
+  const auto elsewhere = [](double x, double y) { return std::pair(1000 - 2 * y, 500 + 1.7 * x); };
+  const OIIO::ImageBuf here = waves(still, 0.05, 1);
+  CHECK(register_pictures(here, waves(still, 0.05, 2)).correlation > .9);
+  CHECK(std::abs(register_pictures(here, waves(elsewhere, 0.05, 2)).correlation) < .2);
+}
+
 TEST_CASE("pictures of two sizes are refused") {
   CHECK_THROWS(register_pictures(OIIO::ImageBuf(OIIO::ImageSpec(10, 10, 1, OIIO::TypeDesc::FLOAT)),
                                  OIIO::ImageBuf(OIIO::ImageSpec(10, 11, 1, OIIO::TypeDesc::FLOAT))));

@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include "dataset/job/job.h"
 #include "dataset/labels/reader.h"
 #include "dataset/verify/verify.h"
+#include "tests/dataset/edit_csv.h"
 #include "tests/dataset/small_dataset.h"
 
 using namespace cps;
@@ -49,8 +51,8 @@ TEST_CASE("a dataset written by the plan reads back and verifies") {
   CHECK(summary.faults == std::vector<std::string>{});
   CHECK(summary.images == image_count(plan));
   CHECK(summary.groups == static_cast<std::int64_t>(plan.groups.size()));
-  CHECK(summary.worst_roundtrip_px < 1e-9);
-  CHECK(summary.least_rim_margin_px > -1e-6);
+  CHECK(summary.max_roundtrip_px < 1e-9);
+  CHECK(summary.min_rim_margin_px > -1e-6);
   const Dataset dataset = read_dataset(root);
   CHECK(dataset.images.size() == static_cast<std::size_t>(image_count(plan)));
   for (const DatasetImage& image : dataset.images) {
@@ -143,8 +145,103 @@ TEST_CASE("verify finds a label that was tampered with, however slightly") {
              Catch::Contains("not one-to-one"));
 }
 
+TEST_CASE("verify finds a pose that contradicts the vehicle's, and a field that cannot be read") {
+  const auto after_adding = [](const char* column, double more) {
+    return faults_after([&](auto& root, auto& plan) {
+      add_to_column(root / plan.groups[0].folder / "frames.csv", column, more);
+    });
+  };
+  CHECK_THAT(after_adding("camera_x_m", 1), Catch::Contains("000000.png: its camera is turned by"));
+  CHECK_THAT(after_adding("vehicle_z_m", 1), Catch::Contains("its camera is turned by"));
+  CHECK_THAT(after_adding("vehicle_heading_deg", 40), Catch::Contains("its camera is turned by"));
+  CHECK_THAT(after_adding("camera_qw", .1), Catch::Contains("no unit quaternion"));
+  CHECK_THAT(faults_after([](auto& root, auto& plan) {
+               edit_column(root / plan.groups[0].folder / "frames.csv", "condition",
+                           [](const std::string&) { return "zero"; });
+             }),
+             Catch::Contains("frames.csv: line 2: condition: 'zero' is not a whole number"));
+  CHECK_THAT(faults_after([](auto& root, auto& plan) {
+               edit_column(root / plan.groups[0].folder / "frames.csv", "condition",
+                           [](const std::string&) { return "7"; });
+             }),
+             Catch::Contains("000000.png: condition 7 is not in dataset.json"));
+}
+
+TEST_CASE("without mount errors the camera's pose is the vehicle's and T_vehicle_camera, exactly") {
+  Recipe recipe = small_plan().recipe;
+  recipe.mount_error_deg = recipe.mount_error_m = 0;
+  const Plan plan = make_plan(recipe, Rig{}, {{.file = "plain.glb"}}, [](const std::filesystem::path&) {
+    return DrivenScene{.scene = plain_scene(6)};
+  });
+  const TemporaryFolder folder;
+  write_small_dataset(folder.path, plan);
+  CHECK(verify_dataset(folder.path).faults == std::vector<std::string>{});
+  add_to_column(folder.path / plan.groups[0].folder / "frames.csv", "camera_y_m", 1e-4);
+  CHECK_FALSE(verify_dataset(folder.path).faults.empty());
+}
+
+TEST_CASE("a street whose name holds a line break, a comma and quotes is a street like any other") {
+  const Plan plan =
+      make_plan(small_plan().recipe, Rig{}, {{.file = "plain.glb"}}, [](const std::filesystem::path&) {
+        Scene scene = plain_scene(6);
+        for (Lane& lane : scene.lanes) lane.street += ",\n\"second\" line";
+        return DrivenScene{.scene = scene};
+      });
+  const TemporaryFolder folder;
+  write_small_dataset(folder.path, plan);
+  CHECK(verify_dataset(folder.path).faults == std::vector<std::string>{});
+}
+
+TEST_CASE(
+    "of a dataset without dataset.json and frames.csv, as cps relens makes, labels, lists and images are "
+    "checked") {
+  const auto strip = [](const std::filesystem::path& root, const Plan& plan) {
+    std::filesystem::remove(root / "dataset.json");
+    for (const PlannedGroup& group : plan.groups) std::filesystem::remove(root / group.folder / "frames.csv");
+  };
+  const TemporaryFolder folder;
+  const Plan plan = small_plan();
+  write_small_dataset(folder.path, plan);
+  strip(folder.path, plan);
+  const VerifySummary summary = verify_dataset(folder.path);
+  CHECK(summary.faults == std::vector<std::string>{});
+  CHECK(summary.images == image_count(plan));
+  CHECK_THAT(summary.brief(), Catch::Contains("hashes of files not checked"));
+  const auto stripped = [&](auto damage) {
+    return faults_after([&](auto& root, auto& plan) {
+      strip(root, plan);
+      damage(root, root / plan.groups[0].folder);
+    });
+  };
+  CHECK_THAT(stripped([](auto&, auto leaf) { std::filesystem::remove(leaf / "000001.png"); }),
+             Catch::Contains("000001.png: cannot be decoded"));
+  CHECK_THAT(stripped([](auto&, auto leaf) { std::filesystem::resize_file(leaf / "000001.png", 200); }),
+             Catch::Contains("000001.png: cannot be decoded"));
+  CHECK_THAT(stripped([](auto&, auto leaf) {
+               std::filesystem::copy_file(leaf / "000001.png", leaf / "000099.png");
+             }),
+             Catch::Contains("000099.png: stands in no split list"));
+  CHECK_THAT(stripped([](auto&, auto leaf) {
+               OIIO::ImageBuf small(OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8));
+               write_file(leaf / "000001.png", encode_png(small));
+             }),
+             Catch::Contains("000001.png: its size contradicts calibration.json"));
+  CHECK_THAT(stripped([](auto&, auto leaf) { change_label(leaf / "calibration.json", "k1", 50.0); }),
+             Catch::Contains("calibration.json"));
+}
+
 TEST_CASE("what is no finished dataset is refused in one line") {
   CHECK_THROWS_WITH(verify_dataset("/nonexistent"), Catch::Contains("/nonexistent"));
-  CHECK_THROWS_WITH(verify_dataset(TemporaryFolder().path), Catch::Contains("cps generate"));
+  CHECK_THROWS_WITH(verify_dataset(TemporaryFolder().path), Catch::Contains("calibration.json"));
   CHECK_THROWS_WITH(read_dataset(TemporaryFolder().path), Catch::Contains("calibration.json"));
+  // Begun and not finished: to be gone on with.
+  const TemporaryFolder folder;
+  const Plan plan = small_plan();
+  write_small_dataset(folder.path, plan);
+  std::filesystem::remove(folder.path / "dataset.json");
+  begin_job(folder.path, {.recipe = "", .rig = "", .drive = ""});
+  CHECK_THROWS_WITH(verify_dataset(folder.path), Catch::Contains("is not finished; run cps generate again"));
+  // Lost: cannot be made again.
+  std::filesystem::remove_all(folder.path / ".cps");
+  CHECK_THROWS_WITH(verify_dataset(folder.path), Catch::Contains("dataset.json: is missing"));
 }

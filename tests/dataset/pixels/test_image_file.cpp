@@ -2,7 +2,7 @@
 #include <chrono>
 #include <thread>
 
-#include "dataset/job/image_file.h"
+#include "dataset/pixels/image_file.h"
 #include "files/files.h"
 #include "random/counter_hash.h"
 #include "tests/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "dataset/job/image_file.h"
+#include "dataset/pixels/image_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -37,11 +37,11 @@ std::string encode_jpeg(const OIIO::ImageBuf& image, int quality) {
 std::string encode_exr(const OIIO::ImageBuf& image) {
   OIIO::ImageSpec spec(image.spec().width, image.spec().height, 3, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else it would be the time of day
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise OpenImageIO writes the time of day
   return encode_by_oiio("exr", spec, OIIO::ImageBufAlgo::clamp(image, 0.0f, largest_half));
 }
 
-/// All pixels of an opened file; `name` is for the error.
+/// All pixels of an opened file; `name` is for error messages.
 OIIO::ImageBuf pixels_of(OIIO::ImageInput* in, OIIO::TypeDesc type, const std::string& name) {
   if (!in) throw std::runtime_error(name + ": cannot be decoded: " + OIIO::geterror());
   const OIIO::ImageSpec& spec = in->spec();
@@ -66,7 +66,7 @@ std::string encode_image(const OIIO::ImageBuf& image, ImageFormat format, int jp
 
 OIIO::ImageBuf read_pixels(const std::filesystem::path& file) {
   const OIIO::TypeDesc type = file.extension() == ".exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8;
-  // Not through an ImageBuf of that name, which may remember a file that was there before.
+  // Not by an ImageBuf of that name: its cache may still hold an older file.
   return pixels_of(OIIO::ImageInput::open(file.string()).get(), type, file.string());
 }
 

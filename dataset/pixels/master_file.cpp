@@ -1,4 +1,4 @@
-#include "dataset/job/master_file.h"
+#include "dataset/pixels/master_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -31,7 +31,7 @@ std::string encode_master(const NoisyMaster& master) {
   OIIO::ImageSpec spec(all.spec().width, all.spec().height, 6, OIIO::TypeDesc::HALF);
   spec.channelnames.assign(channel_names.begin(), channel_names.end());
   spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "1970:01:01 00:00:00");  // else it would be the time of day
+  spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise OpenImageIO writes the time of day
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create("exr");
@@ -48,7 +48,7 @@ NoisyMaster read_master(const std::filesystem::path& file) {
   OIIO::ImageBuf all(OIIO::ImageSpec(spec.width, spec.height, spec.nchannels, OIIO::TypeDesc::FLOAT));
   if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, all.localpixels()))
     fail(file, in->geterror());
-  std::array<int, 6> order;  // whatever order EXR keeps its channels in
+  std::array<int, 6> order;  // EXR stores channels in an order of its own
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = spec.channelindex(channel_names[i]);
     if (order[i] < 0) fail(file, "channel " + channel_names[i] + " is missing");

@@ -1,0 +1,67 @@
+#include "dataset/verify/dataset_files.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "dataset/job/finish.h"
+#include "dataset/job/job.h"
+#include "files/files.h"
+
+namespace cps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_image(const fs::path& file) {
+  return file.extension() != ".csv" && file.extension() != ".json";
+}
+
+bool has_frames(const Dataset& dataset) {
+  return std::ranges::any_of(dataset.groups, [&](const DatasetGroup& group) {
+    return fs::exists(dataset.root / group.folder / "frames.csv");
+  });
+}
+
+void read_frames(DatasetFiles& files, std::size_t group, Faults& faults) try {
+  const fs::path& folder = files.dataset.groups[group].folder;
+  for (FrameRow& row : read_frames_csv(files.dataset.root / folder / "frames.csv")) {
+    const std::string file = (folder / row.file).string();
+    if (!files.frames.try_emplace(file, std::move(row)).second)
+      faults.push_back(file + ": stands in frames.csv twice");
+  }
+} catch (const std::runtime_error& error) {
+  faults.push_back(error.what());
+  files.unreadable.insert(group);
+}
+
+}  // namespace
+
+const FrameRow* DatasetFiles::frame_of(const fs::path& image) const {
+  const auto found = frames.find(image.string());
+  return found == frames.end() ? nullptr : &found->second;
+}
+
+nlohmann::json DatasetFiles::list(const char* key) const {
+  return description ? description->value(key, nlohmann::json::array()) : nlohmann::json::array();
+}
+
+DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
+  if (!is_finished(root) && has_job(root))
+    throw std::runtime_error(
+        root.string() + ": has no dataset.json: it is not finished; run cps generate again, or cps finish");
+  DatasetFiles files{.dataset = read_dataset(root)};
+  if (is_finished(root))
+    files.description = read_json(root / "dataset.json");
+  else if (has_frames(files.dataset))
+    throw std::runtime_error((root / "dataset.json").string() +
+                             ": is missing: copy it from where the dataset comes from");
+  for (std::size_t g = 0; g < files.dataset.groups.size(); ++g) {
+    if (files.description) read_frames(files, g, faults);
+    const fs::path& folder = files.dataset.groups[g].folder;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
+      if (is_image(entry.path())) files.images.insert((folder / entry.path().filename()).string());
+  }
+  return files;
+}
+
+}  // namespace cps

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "dataset/job/frames.h"
+#include "dataset/labels/reader.h"
+
+namespace cps {
+
+/// One line each, file first.
+using Faults = std::vector<std::string>;
+
+/// What a dataset says about itself, read once for all checks.
+struct DatasetFiles {
+  Dataset dataset;
+  /// dataset.json. A set that cps relens made has none, and no frames.csv.
+  std::optional<nlohmann::json> description = {};
+  std::map<std::string, FrameRow> frames = {};  ///< by image, relative to the dataset
+  std::set<std::size_t> unreadable = {};        ///< groups whose frames.csv cannot be read
+  std::set<std::string> images = {};            ///< files in the leaf folders, relative to the dataset
+
+  /// The image's line of frames.csv; null when there is none.
+  const FrameRow* frame_of(const std::filesystem::path& image) const;
+  /// The file's list in dataset.json; empty when there is none.
+  nlohmann::json list(const char* key) const;
+};
+
+/// Reads everything but pixels. Adds a fault for each frames.csv that cannot be read. Throws
+/// std::runtime_error with one line when the folder is not a finished dataset.
+DatasetFiles read_dataset_files(const std::filesystem::path& root, Faults& faults);
+
+}  // namespace cps
