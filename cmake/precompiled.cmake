@@ -22,3 +22,13 @@ if(CPS_TESTS)
   find_path(CATCH2_INCLUDE_DIR catch2/catch.hpp REQUIRED)
   cps_headers(test_headers LINK ${packages} HEADERS ${CPS_PACKAGE_HEADERS} <catch2/catch.hpp>)
 endif()
+if(CPS_TRAINER)
+  # Two sets of their own, for the few files that see LibTorch: its headers take longer to read than all others together.
+  find_package(Torch REQUIRED GLOBAL)
+  set(CPS_TORCH_HEADERS <torch/types.h> <torch/nn/module.h>)
+  cps_headers(torch_headers LINK ${packages} torch HEADERS ${CPS_PACKAGE_HEADERS} ${CPS_TORCH_HEADERS})
+  if(CPS_TESTS)
+    cps_headers(torch_test_headers LINK ${packages} torch
+      HEADERS ${CPS_PACKAGE_HEADERS} ${CPS_TORCH_HEADERS} <catch2/catch.hpp>)
+  endif()
+endif()

@@ -15,21 +15,6 @@ constexpr std::array colours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7",
     "#e69f00", "#56b4e9", "#000000"};  ///< told apart by everyone: Okabe and Ito 2008
 
-std::string escaped(const std::string& text) {
-  std::string xml;
-  for (char c : text) {
-    if (c == '&')
-      xml += "&amp;";
-    else if (c == '<')
-      xml += "&lt;";
-    else if (c == '>')
-      xml += "&gt;";
-    else
-      xml += c;
-  }
-  return xml;
-}
-
 Interval range_of(const Plot& plot, int axis) {
   if (const auto& given = axis == 0 ? plot.x_range : plot.y_range) return *given;
   Interval range{INFINITY, -INFINITY};

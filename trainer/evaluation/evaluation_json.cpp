@@ -58,7 +58,7 @@ Json to_json(const EvaluatedImage& image) {
             {"width", camera.width},
             {"height", camera.height},
             {"true", named(to_outputs(image.image.truth, TargetSpace::raw))},
-            {"said", named(image.said)},
+            {"said", named(image.predicted)},
             {"hfov_error_deg", image.network.hfov_deg},
             {"folds", image.network.folds}};
   json["reprojection_px"] =
