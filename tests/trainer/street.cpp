@@ -64,7 +64,7 @@ void write_png(const GrayImage& image, const std::filesystem::path& file) {
 }  // namespace
 
 GrayImage render_street(const CalibratedCamera& calibration, std::uint64_t place) {
-  const Pinhole& camera = calibration.camera;
+  const Pinhole& camera = calibration.pinhole;
   const FrameCertificate frame = certify_frame(calibration.distortion, camera, comfortably_one_to_one);
   const double yaw = .12 * (hash01(place, 5, 0, 0) - .5), pitch = .08 * (hash01(place, 5, 0, 1) - .5);
   const Eigen::Matrix3d heading =
@@ -96,14 +96,14 @@ CalibratedCamera draw_calibration(const ImageSize& size, double hfov_deg, std::u
         pinhole_from_hfov(size.width, size.height, radians(hfov_deg + random_uniform(stream, 6, -1, 1))),
         {}};
     if (lens == 0) return c;
-    c.camera.cx += size.width * random_uniform(stream, 0, -.03, .03);
-    c.camera.cy += size.height * random_uniform(stream, 1, -.06, .06);
-    const double r = std::tan(hfov_rad(c.camera) / 2) * aspect, r2 = r * r;
+    c.pinhole.cx += size.width * random_uniform(stream, 0, -.03, .03);
+    c.pinhole.cy += size.height * random_uniform(stream, 1, -.06, .06);
+    const double r = std::tan(hfov_rad(c.pinhole) / 2) * aspect, r2 = r * r;
     const double K1 = random_uniform(stream, 2, -.35, .15), K2 = K1 * random_uniform(stream, 3, -.6, 0),
                  K3 = -.2 * K2;
     c.distortion = {K1 / r2, K2 / (r2 * r2), K3 / (r2 * r2 * r2), random_uniform(stream, 4, -.012, .012) / r,
                     random_uniform(stream, 5, -.012, .012) / r};
-    if (certify_frame(c.distortion, c.camera, comfortably_one_to_one).valid()) return c;
+    if (certify_frame(c.distortion, c.pinhole, comfortably_one_to_one).valid()) return c;
   }
 }
 
@@ -127,9 +127,9 @@ Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatas
                                                  size.height, hfov_deg, ++lens_number);
           const CalibratedCamera calibration = draw_calibration(size, hfov_deg, l == 0 ? 0 : lens_number);
           Label label;
-          label.camera = calibration.camera;
+          label.camera = calibration.pinhole;
           label.distortion = calibration.distortion;
-          label.fov_base_deg = degrees(hfov_rad(calibration.camera));
+          label.fov_base_deg = degrees(hfov_rad(calibration.pinhole));
           label.part = part;
           write_json(root / folder / "calibration.json", to_json(label));
           for (int i = 0; i < count; ++i) {

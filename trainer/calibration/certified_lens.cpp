@@ -15,7 +15,7 @@ Distortion scaled(const Distortion& d, double factor) {
 
 CertifiedLens pull_to_certified(const CalibratedCamera& predicted) {
   CertifiedLens result{predicted};
-  Pinhole& pinhole = result.camera.camera;
+  Pinhole& pinhole = result.camera.pinhole;
   pinhole.cx = std::clamp(pinhole.cx, 0.0, pinhole.width - 1.0);
   pinhole.cy = std::clamp(pinhole.cy, 0.0, pinhole.height - 1.0);
   const auto is_certified_at = [&](double factor) {

@@ -16,7 +16,7 @@ namespace {
 /// `min_share` of the grid, or if any is missing although the lens is one-to-one in its frame.
 std::optional<RayGrid> shown_grid(const CalibratedCamera& truth, const Eigen::AlignedBox2d& shape,
                                   int columns, double min_share) {
-  const Pinhole& camera = truth.camera;
+  const Pinhole& camera = truth.pinhole;
   const FrameCertificate frame = certify_frame(truth.distortion, camera, shape, one_to_one);
   const int rows =
       std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
@@ -43,7 +43,7 @@ std::optional<RayGrid> ray_grid(const CalibratedCamera& truth, const Eigen::Alig
 }
 
 std::optional<RayGrid> ray_grid(const CalibratedCamera& truth, int columns) {
-  return ray_grid(truth, frame_on_plane(truth.camera), columns);
+  return ray_grid(truth, frame_on_plane(truth.pinhole), columns);
 }
 
 std::shared_ptr<const RayGrid> loss_rays(const CalibratedCamera& truth, const Eigen::AlignedBox2d& shape,
@@ -59,19 +59,19 @@ double reprojection_error_px(const RayGrid& truth, const CalibratedCamera& predi
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const Eigen::Vector2d predicted =
-        to_pixel(prediction.camera, distort(prediction.distortion, truth.ideal[i]));
+        to_pixel(prediction.pinhole, distort(prediction.distortion, truth.ideal[i]));
     sum += (predicted - truth.pixels[i]).norm();
   }
   return sum / static_cast<double>(truth.pixels.size());
 }
 
 std::optional<double> angular_error_deg(const RayGrid& truth, const CalibratedCamera& prediction) {
-  const FrameCertificate frame = certify_frame(prediction.distortion, prediction.camera, one_to_one);
+  const FrameCertificate frame = certify_frame(prediction.distortion, prediction.pinhole, one_to_one);
   if (!frame.valid()) return std::nullopt;
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const auto ideal =
-        undistort(prediction.distortion, frame.rectangle, to_plane(prediction.camera, truth.pixels[i]));
+        undistort(prediction.distortion, frame.rectangle, to_plane(prediction.pinhole, truth.pixels[i]));
     if (!ideal) return std::nullopt;
     const Eigen::Vector3d a = truth.ideal[i].homogeneous(), b = ideal->homogeneous();
     sum += std::atan2(a.cross(b).norm(), a.dot(b));
@@ -80,7 +80,7 @@ std::optional<double> angular_error_deg(const RayGrid& truth, const CalibratedCa
 }
 
 bool is_one_to_one(const CalibratedCamera& camera) {
-  return certify_frame(camera.distortion, camera.camera, one_to_one).valid();
+  return certify_frame(camera.distortion, camera.pinhole, one_to_one).valid();
 }
 
 }  // namespace cps

@@ -28,7 +28,7 @@ TargetSpace target_space_from_string(const std::string& word) {
 }
 
 Outputs to_outputs(const CalibratedCamera& camera, TargetSpace space) {
-  const Pinhole& pinhole = camera.camera;
+  const Pinhole& pinhole = camera.pinhole;
   const Distortion& d = camera.distortion;
   const Outputs raw{hfov_rad(pinhole),          d.k1, d.k2, d.k3, d.p1, d.p2, pinhole.cx / pinhole.width,
                     pinhole.cy / pinhole.height};
@@ -41,8 +41,8 @@ std::optional<CalibratedCamera> to_camera(const Outputs& outputs, TargetSpace sp
   if (!std::ranges::all_of(raw, [](double v) { return std::isfinite(v); })) return std::nullopt;
   CalibratedCamera camera{
       "", pinhole_from_hfov(width, height, raw[0]), {raw[1], raw[2], raw[3], raw[4], raw[5]}};
-  camera.camera.cx = raw[6] * width;
-  camera.camera.cy = raw[7] * height;
+  camera.pinhole.cx = raw[6] * width;
+  camera.pinhole.cy = raw[7] * height;
   return camera;
 }
 

@@ -25,7 +25,7 @@ std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reductio
     try {
       const EvaluationImage& image = set.images[i];
       const GrayImage gray = read_gray_image(image.file);
-      const Pinhole& camera = image.truth.camera;
+      const Pinhole& camera = image.truth.pinhole;
       if (gray.size != ImageSize{camera.width, camera.height})
         throw std::runtime_error(image.file.string() + ": is " + std::to_string(gray.size.width) + "x" +
                                  std::to_string(gray.size.height) + ", but its calibration is of " +
@@ -61,14 +61,14 @@ std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSe
   const TargetSpace space = card.options.target_space;
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const Pinhole& camera = set.images[i].truth.camera;
+    const Pinhole& camera = set.images[i].truth.pinhole;
     batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
   }
   const std::vector<Outputs> predicted = predictor(batch);
   std::vector<EvaluatedImage> judged(set.images.size());
   tbb::parallel_for(std::size_t{0}, judged.size(), [&](std::size_t i) {
     const EvaluationImage& image = set.images[i];
-    const Pinhole& camera = image.truth.camera;
+    const Pinhole& camera = image.truth.pinhole;
     const auto raw = [&](const Outputs& outputs) {
       return convert(outputs, space, TargetSpace::raw, camera.width, camera.height);
     };
@@ -88,7 +88,7 @@ LensErrors summary_of(const std::vector<EvaluatedImage>& images, std::span<const
   std::vector<double> fov;
   for (int i : chosen) {
     errors.push_back(images[i].*of);
-    fov.push_back(hfov_rad(images[i].image.truth.camera));
+    fov.push_back(hfov_rad(images[i].image.truth.pinhole));
   }
   return summarise(errors, fov);
 }
@@ -119,9 +119,9 @@ std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
   std::map<std::pair<int, std::string>, std::vector<int>> members;  // kind, name
   for (int i = 0; i < static_cast<int>(images.size()); ++i) {
     const EvaluationImage& image = images[i].image;
-    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.camera)) / 10)) * 10;
+    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.pinhole)) / 10)) * 10;
     members[{0, fmt::format("{:3} to {:3} deg", tens, tens + 10)}].push_back(i);
-    members[{1, fmt::format("{}x{}", image.truth.camera.width, image.truth.camera.height)}].push_back(i);
+    members[{1, fmt::format("{}x{}", image.truth.pinhole.width, image.truth.pinhole.height)}].push_back(i);
     members[{2, image.camera}].push_back(i);
   }
   static constexpr std::array kinds{"H-FOV", "size", "camera"};

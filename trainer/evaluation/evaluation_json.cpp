@@ -52,7 +52,7 @@ Json to_json(const Headline& h) {
 }
 
 Json to_json(const EvaluatedImage& image) {
-  const Pinhole& camera = image.image.truth.camera;
+  const Pinhole& camera = image.image.truth.pinhole;
   Json json{{"file", image.image.name},
             {"camera", image.image.camera},
             {"width", camera.width},

@@ -51,7 +51,7 @@ Plot error_against_hfov(const Evaluation& e, const char* title, const char* labe
   PlotSeries network{.name = "network", .style = PlotStyle::dots},
       mean{.name = "train mean", .style = PlotStyle::dots};
   for (const EvaluatedImage& image : e.images) {
-    const double hfov_deg = degrees(hfov_rad(image.image.truth.camera));
+    const double hfov_deg = degrees(hfov_rad(image.image.truth.pinhole));
     if (const auto value = error(image.network)) network.points.emplace_back(hfov_deg, *value);
     if (const auto value = error(image.training_mean)) mean.points.emplace_back(hfov_deg, *value);
   }
@@ -96,7 +96,7 @@ std::string worst_images(const Evaluation& e) {
         R"(<figure><img src="{}" alt=""><figcaption>{}<br>reprojection {:.1f} px; H-FOV {:.1f} deg, predicted {:.1f} deg</figcaption></figure>
 )",
         picture(image), escaped(image.image.name), image.network.reprojection_px.value_or(INFINITY),
-        degrees(hfov_rad(image.image.truth.camera)), degrees(image.predicted[0]));
+        degrees(hfov_rad(image.image.truth.pinhole)), degrees(image.predicted[0]));
   }
   return html;
 }

@@ -53,7 +53,7 @@ double quantile(std::vector<double> values, double q) {
 }
 
 ImageErrors image_errors(const LensPrediction& prediction) {
-  const Pinhole& camera = prediction.truth->camera;
+  const Pinhole& camera = prediction.truth->pinhole;
   const Outputs truth = to_outputs(*prediction.truth, TargetSpace::raw);
   ImageErrors e;
   e.raw = difference(prediction.predicted, truth);
@@ -67,8 +67,8 @@ ImageErrors image_errors(const LensPrediction& prediction) {
 
   const auto predicted = to_camera(prediction.predicted, TargetSpace::raw, camera.width, camera.height);
   if (!predicted) return e;
-  e.focal = std::max(std::abs(predicted->camera.fx / camera.fx - 1),
-                     std::abs(predicted->camera.fy / camera.fy - 1));
+  e.focal = std::max(std::abs(predicted->pinhole.fx / camera.fx - 1),
+                     std::abs(predicted->pinhole.fy / camera.fy - 1));
   e.reprojection_px = reprojection_error_px(*prediction.rays, *predicted);
   e.angle_deg = angular_error_deg(*prediction.rays, *predicted);
   e.folds = !e.angle_deg;
@@ -122,7 +122,7 @@ LensErrors measure_errors(std::span<const LensPrediction> predictions) {
   std::vector<double> true_fov_rad;
   for (const LensPrediction& prediction : predictions) {
     errors.push_back(image_errors(prediction));
-    true_fov_rad.push_back(hfov_rad(prediction.truth->camera));
+    true_fov_rad.push_back(hfov_rad(prediction.truth->pinhole));
   }
   return summarise(errors, true_fov_rad);
 }

@@ -30,10 +30,10 @@ std::optional<CalibratedCamera> truth_beside(const std::filesystem::path& image,
 /// The outputs for an image, from those for its mirror image.
 Outputs unmirrored(Outputs raw, const ImageSize& size) {
   CalibratedCamera camera{"", pinhole_from_hfov(size.width, size.height, 1), {.p2 = raw[5]}};
-  camera.camera.cx = raw[6] * size.width;
+  camera.pinhole.cx = raw[6] * size.width;
   camera = mirrored_left_right(camera);
   raw[5] = camera.distortion.p2;
-  raw[6] = camera.camera.cx / size.width;
+  raw[6] = camera.pinhole.cx / size.width;
   return raw;
 }
 
@@ -76,28 +76,28 @@ double one(const CalibratedCamera&) {
 }
 
 constexpr Row rows[] = {
-    {"H-FOV", "deg", [](const CalibratedCamera& c) { return degrees(hfov_rad(c.camera)); }, 0,
+    {"H-FOV", "deg", [](const CalibratedCamera& c) { return degrees(hfov_rad(c.pinhole)); }, 0,
      [](const CalibratedCamera&) { return degrees(1); }},
     {"k1", "", [](const CalibratedCamera& c) { return c.distortion.k1; }, 1, one},
     {"k2", "", [](const CalibratedCamera& c) { return c.distortion.k2; }, 2, one},
     {"k3", "", [](const CalibratedCamera& c) { return c.distortion.k3; }, 3, one},
     {"p1", "", [](const CalibratedCamera& c) { return c.distortion.p1; }, 4, one},
     {"p2", "", [](const CalibratedCamera& c) { return c.distortion.p2; }, 5, one},
-    {"cx", "px", [](const CalibratedCamera& c) { return c.camera.cx; }, 6,
-     [](const CalibratedCamera& c) { return double(c.camera.width); }},
-    {"cy", "px", [](const CalibratedCamera& c) { return c.camera.cy; }, 7,
-     [](const CalibratedCamera& c) { return double(c.camera.height); }},
+    {"cx", "px", [](const CalibratedCamera& c) { return c.pinhole.cx; }, 6,
+     [](const CalibratedCamera& c) { return double(c.pinhole.width); }},
+    {"cy", "px", [](const CalibratedCamera& c) { return c.pinhole.cy; }, 7,
+     [](const CalibratedCamera& c) { return double(c.pinhole.height); }},
 };
 
 nlohmann::ordered_json to_json(const CalibratedCamera& c) {
-  return {{"fov", degrees(hfov_rad(c.camera))},
+  return {{"fov", degrees(hfov_rad(c.pinhole))},
           {"k1", c.distortion.k1},
           {"k2", c.distortion.k2},
           {"k3", c.distortion.k3},
           {"p1", c.distortion.p1},
           {"p2", c.distortion.p2},
-          {"cx", c.camera.cx},
-          {"cy", c.camera.cy}};
+          {"cx", c.pinhole.cx},
+          {"cy", c.pinhole.cy}};
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ RobustnessRow measure(const Predictor& predictor, const EvaluationSet& set, std:
   const TrainOptions& options = card.options;
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const Pinhole& camera = set.images[i].truth.camera;
+    const Pinhole& camera = set.images[i].truth.pinhole;
     batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
   }
   const std::vector<Outputs> predicted = predictor(batch);
@@ -56,8 +56,8 @@ RobustnessRow measure(const Predictor& predictor, const EvaluationSet& set, std:
         row.loss +=
             (a[k] - b[k]) * (a[k] - b[k]) / static_cast<double>(options.outputs.size() * predicted.size());
     predictions.push_back({&truth, set.images[i].rays.get(),
-                           convert(predicted[i], options.target_space, TargetSpace::raw, truth.camera.width,
-                                   truth.camera.height)});
+                           convert(predicted[i], options.target_space, TargetSpace::raw, truth.pinhole.width,
+                                   truth.pinhole.height)});
   }
   const LensErrors errors = measure_errors(predictions);
   row.hfov_mean_deg = errors.hfov_mean_deg;

@@ -46,7 +46,7 @@ TEST_CASE("a trained model gives the same evaluation each time, equal to that of
     const ImagePrediction prediction = predict_images(predictor, file).at(0);
     const double truth = hfov_rad(dataset.groups[dataset.images[i].group].label.camera);
     REQUIRE(prediction.truth);
-    CHECK(hfov_rad(prediction.truth->camera) == Approx(truth));
+    CHECK(hfov_rad(prediction.truth->pinhole) == Approx(truth));
     REQUIRE(prediction.reprojection_px);
     hfov_deg += degrees(std::abs(prediction.raw[0] - truth)) / images.size();
     reprojection_px += *prediction.reprojection_px / images.size();

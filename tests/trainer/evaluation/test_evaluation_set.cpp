@@ -38,10 +38,10 @@ TEST_CASE("KITTI raw folders are found with the calibration of their date") {
     CHECK(set.images[0].file == date / "drive_0001_extract/image_00/data/0000000001.png");
     CHECK(set.images[3].file == date / "drive_0002_extract/image_00/data/0000000007.png");
     CHECK(set.images[0].camera == "KITTI 00");
-    CHECK(set.images[0].truth.camera.fy == 980.8141);
+    CHECK(set.images[0].truth.pinhole.fy == 980.8141);
     CHECK(set.images[0].truth.distortion ==
           Distortion{-.3728755, .2037299, -.07233722, .002219027, .001383707});
-    CHECK(degrees(hfov_rad(set.images[0].truth.camera)) == Approx(70.53).margin(.01));
+    CHECK(degrees(hfov_rad(set.images[0].truth.pinhole)) == Approx(70.53).margin(.01));
     std::set<int> clusters;
     for (const EvaluationImage& image : set.images) clusters.insert(image.cluster);
     CHECK(clusters.size() == 4);

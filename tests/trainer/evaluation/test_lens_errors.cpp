@@ -35,11 +35,11 @@ TEST_CASE("a wrong focal length moves every pixel in proportion to its distance 
   const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(70)), {}};
   const double scale = 1.07;
   const Pinhole longer{
-      480, 270, truth.camera.fx * scale, truth.camera.fy * scale, truth.camera.cx, truth.camera.cy};
+      480, 270, truth.pinhole.fx * scale, truth.pinhole.fy * scale, truth.pinhole.cx, truth.pinhole.cy};
   double distance = 0;
   const auto rays = ray_grid(truth);
   for (const Eigen::Vector2d& pixel : rays->pixels)
-    distance += (pixel - Eigen::Vector2d(truth.camera.cx, truth.camera.cy)).norm() /
+    distance += (pixel - Eigen::Vector2d(truth.pinhole.cx, truth.pinhole.cy)).norm() /
                 static_cast<double>(rays->pixels.size());
   const LensErrors errors = errors_of(truth, {to_outputs({"", longer, {}}, TargetSpace::raw)});
   CHECK(errors.reprojection_mean_px == Approx((scale - 1) * distance).epsilon(1e-9));
@@ -55,8 +55,8 @@ TEST_CASE("a wrong focal length moves every pixel in proportion to its distance 
 TEST_CASE("a shifted principal point moves every pixel by the shift, whatever the lens") {
   const CalibratedCamera truth = draw_calibration({480, 270}, 90, 4);
   CalibratedCamera shifted = truth;
-  shifted.camera.cx += 3;
-  shifted.camera.cy -= 4;
+  shifted.pinhole.cx += 3;
+  shifted.pinhole.cy -= 4;
   const LensErrors errors = errors_of(truth, {to_outputs(shifted, TargetSpace::raw)});
   CHECK(errors.reprojection_mean_px == Approx(5).epsilon(1e-9));
   CHECK(errors.raw_mae[6] == Approx(3.0 / 480));
@@ -85,19 +85,19 @@ TEST_CASE("angles of rays, focal and principal-point errors in closed form") {
   // atan(d/f').
   const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(70)), {}};
   CalibratedCamera longer = truth;
-  longer.camera.fx *= 1.1;
-  longer.camera.fy *= 1.1;
-  longer.camera.cx += 4.8;
+  longer.pinhole.fx *= 1.1;
+  longer.pinhole.fy *= 1.1;
+  longer.pinhole.cx += 4.8;
   const RayGrid rays = ray_grid(truth).value();
   const ImageErrors e = image_errors({&truth, &rays, to_outputs(longer, TargetSpace::raw)});
   CHECK(e.focal == Approx(.1));
   CHECK(e.principal_point == Approx(2 * .01));
   CHECK(e.k1 == 0);
-  longer.camera.cx = truth.camera.cx;
+  longer.pinhole.cx = truth.pinhole.cx;
   double angle_deg = 0;
   for (const Eigen::Vector2d& pixel : rays.pixels) {
-    const double d = (pixel - Eigen::Vector2d(truth.camera.cx, truth.camera.cy)).norm();
-    angle_deg += degrees(std::atan(d / truth.camera.fx) - std::atan(d / longer.camera.fx)) /
+    const double d = (pixel - Eigen::Vector2d(truth.pinhole.cx, truth.pinhole.cy)).norm();
+    angle_deg += degrees(std::atan(d / truth.pinhole.fx) - std::atan(d / longer.pinhole.fx)) /
                  static_cast<double>(rays.pixels.size());
   }
   CHECK(angular_error_deg(rays, longer).value() == Approx(angle_deg).epsilon(1e-9));

@@ -14,11 +14,11 @@ TEST_CASE("a mirrored training image shows the mirrored world through the mirror
   for (std::uint64_t lens = 1; lens <= 20; ++lens) {
     const CalibratedCamera camera = draw_calibration({48, 27}, 40 + 3.0 * static_cast<double>(lens), lens),
                            mirrored = mirrored_left_right(camera);
-    const FrameCertificate frame = certify_frame(camera.distortion, camera.camera);
+    const FrameCertificate frame = certify_frame(camera.distortion, camera.pinhole);
     for (const auto& [x, y] : {std::pair{0, 0}, std::pair{47, 26}, std::pair{11, 20}, std::pair{30, 4}}) {
       // A bright pixel, and the point of the world that it shows.
       const auto point =
-          undistort(camera.distortion, frame.rectangle, to_plane(camera.camera, Eigen::Vector2d(x, y)));
+          undistort(camera.distortion, frame.rectangle, to_plane(camera.pinhole, Eigen::Vector2d(x, y)));
       REQUIRE(point);
       std::vector<std::uint8_t> pixels(48 * 27, 0);
       pixels[y * 48 + x] = 255;
@@ -29,7 +29,7 @@ TEST_CASE("a mirrored training image shows the mirrored world through the mirror
       const std::int64_t brightest = shown.argmax().item<std::int64_t>();
       CHECK(shown.sum().item<double>() == 255);
       const Eigen::Vector2d expected =
-          to_pixel(mirrored.camera, distort(mirrored.distortion, {-point->x(), point->y()}));
+          to_pixel(mirrored.pinhole, distort(mirrored.distortion, {-point->x(), point->y()}));
       CHECK(expected.x() == Approx(static_cast<double>(brightest % 48)).margin(1e-6));
       CHECK(expected.y() == Approx(static_cast<double>(brightest / 48)).margin(1e-6));
     }

@@ -20,7 +20,7 @@ Tensor row(const Outputs& values) {
 RayBatch rays_of(const CalibratedCamera& truth, const RayGrid& grid) {
   const long points = static_cast<long>(grid.pixels.size());
   RayBatch rays{torch::empty({1, points, 2}, torch::kDouble), torch::empty({1, points, 2}, torch::kDouble),
-                truth.camera.width, truth.camera.height};
+                truth.pinhole.width, truth.pinhole.height};
   for (long i = 0; i < points; ++i)
     for (int axis : {0, 1}) {
       rays.ideal[0][i][axis] = grid.ideal[i][axis];

@@ -119,7 +119,7 @@ TEST_CASE("a lens has its rays though rectangles of the frame's own shape cannot
     CHECK(rays->pixels.size() == 12 * 4);
     CHECK(reprojection_error_px(*rays, lens) < 1e-6);
   }
-  const CalibratedCamera folding{"", drawn.camera, {-5, 0, 0, 0, 0}};
+  const CalibratedCamera folding{"", drawn.pinhole, {-5, 0, 0, 0, 0}};
   CHECK_THROWS_WITH(loss_rays(folding, base, "lens"), Catch::StartsWith("lens: the lens is not one-to-one"));
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("an online image shows what its target says, flipped or not") {
       // The street itself through that lens; a flipped one is the flipped picture of the flipped lens.
       CalibratedCamera truth = calibration_of(options, image);
       if (image.is_mirrored) {
-        truth.camera.cx = truth.camera.width - 1 - truth.camera.cx;
+        truth.pinhole.cx = truth.pinhole.width - 1 - truth.pinhole.cx;
         truth.distortion.p2 = -truth.distortion.p2;
       }
       const GrayImage direct = render_street(truth, i);
@@ -156,7 +156,7 @@ TEST_CASE("an online image shows what its target says, flipped or not") {
       const double good = correlation(image.pixels, direct);
       CHECK(good > .95);  // the direct one is not antialiased alike
       // A lens 2 % longer shows it visibly worse: the target is that exact.
-      truth.camera.fx = truth.camera.fy = 1.02 * truth.camera.fx;
+      truth.pinhole.fx = truth.pinhole.fy = 1.02 * truth.pinhole.fx;
       CHECK(correlation(image.pixels, render_street(truth, i)) < good);
     }
   CHECK((flipped > 0) == mirror);
