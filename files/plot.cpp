@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "files/markup.h"
+
 namespace cps {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trainer/calibration/reprojection.h"
+#include "trainer/calibration/targets.h"
 
 namespace cps {
 
