@@ -22,3 +22,10 @@ if(CPS_TESTS)
   find_path(CATCH2_INCLUDE_DIR catch2/catch.hpp REQUIRED)
   cps_headers(test_headers LINK ${packages} HEADERS ${CPS_PACKAGE_HEADERS} <catch2/catch.hpp>)
 endif()
+if(CPS_TRAINER)
+  # A set for the few files that see LibTorch, in the room and in its tests: reading LibTorch's headers takes longer
+  # than reading all others together. A second set with Catch2 would cost more to build than its few users save.
+  find_package(Torch REQUIRED GLOBAL)
+  cps_headers(torch_headers LINK ${packages} torch
+    HEADERS ${CPS_PACKAGE_HEADERS} <torch/types.h> <torch/nn/module.h>)
+endif()

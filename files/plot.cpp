@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "files/markup.h"
+
 namespace cps {
 namespace {
 
@@ -14,21 +16,6 @@ constexpr int left = 62, right = 14, top = 30, bottom = 44;  ///< its margins
 constexpr std::array colours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7",
     "#e69f00", "#56b4e9", "#000000"};  ///< distinct for colour-blind readers too (Okabe and Ito 2008)
-
-std::string escaped(const std::string& text) {
-  std::string xml;
-  for (char c : text) {
-    if (c == '&')
-      xml += "&amp;";
-    else if (c == '<')
-      xml += "&lt;";
-    else if (c == '>')
-      xml += "&gt;";
-    else
-      xml += c;
-  }
-  return xml;
-}
 
 Interval range_of(const Plot& plot, int axis) {
   if (const auto& given = axis == 0 ? plot.x_range : plot.y_range) return *given;

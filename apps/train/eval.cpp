@@ -24,36 +24,40 @@ struct Request {
 po::options_description describe(Request& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("model", po::value(&r.model)->required(), "the model's folder");
-  add("data", po::value(&r.data), "a dataset's folder");
-  add("part", po::value(&r.part)->default_value(r.part), "of the dataset: train, val or test");
+  add("model", po::value(&r.model)->required(), "model folder");
+  add("data", po::value(&r.data), "dataset folder");
+  add("part", po::value(&r.part)->default_value(r.part), "part of the dataset: train, val or test");
   add("kitti", po::value(&r.kitti),
-      "or a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
-  add("pictures", po::value(&r.pictures), "or a folder of pictures of one camera, with --lens");
-  add("lens", po::value(&r.lens), "its calibration, in any format that cps lens check reads");
-  add("camera", po::value(&r.camera), "which of the file's cameras, by name");
-  add("robustness", po::bool_switch(&r.options.robustness), "measure again with blurred, noisy … images");
+      "instead of --data: folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
+  add("pictures", po::value(&r.pictures),
+      "instead of --data: folder of pictures taken by one camera, with --lens");
+  add("lens", po::value(&r.lens), "calibration file for --pictures, in any format that cps lens check reads");
+  add("camera", po::value(&r.camera), "name of the camera in the --lens file");
+  add("robustness", po::bool_switch(&r.options.robustness),
+      "also measure on blurred, noisy and otherwise corrupted images");
   add("bootstrap", po::value(&r.options.resamples)->default_value(r.options.resamples),
-      "resamples for the 95 % intervals; 0: none");
-  add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of bootstrap and noise");
+      "bootstrap resamples for the 95 % intervals; 0: no intervals");
+  add("seed", po::value(&r.options.seed)->default_value(r.options.seed),
+      "seed of the bootstrap and of the added noise");
   add("skip-bad-images", po::bool_switch(&r.options.skip_bad_images),
-      "leave out what cannot be read, and say so, instead of stopping");
-  add("device", po::value(&r.device)->default_value(r.device), "cpu or cuda");
-  add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
-  add("out", po::value(&r.out), "everything as JSON; a page goes beside it [MODEL/eval.json, …]");
+      "leave out images that cannot be read, and name them, instead of stopping");
+  add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
+  add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
+  add("out", po::value(&r.out),
+      "JSON file with all results; an HTML page is written beside it [MODEL/eval.json, eval_kitti.json or eval_pictures.json]");
   return options;
 }
 
 EvaluationSet set_of(const Request& r) {
   if ((!r.data.empty()) + (!r.kitti.empty()) + (!r.pictures.empty()) != 1)
-    throw po::error("say what to measure on: one of --data, --kitti, --pictures");
+    throw po::error("give exactly one of --data, --kitti, --pictures");
   if (!r.kitti.empty()) return kitti_evaluation_set(r.kitti);
   if (!r.pictures.empty()) {
-    if (r.lens.empty()) throw po::error("--pictures needs the camera's calibration: --lens FILE");
+    if (r.lens.empty()) throw po::error("--pictures needs the camera's calibration: add --lens FILE");
     return picture_evaluation_set(r.pictures, chosen_camera(read_calibration(r.lens), r.camera, r.lens));
   }
   const Part part = usage_checked([&] { return part_from_string(r.part); });
-  if (part == Part::all) throw po::error("--part: say train, val or test");
+  if (part == Part::all) throw po::error("--part: use train, val or test");
   return evaluation_set(read_dataset(r.data), part);
 }
 
@@ -69,17 +73,16 @@ fs::path output_file(const Request& r) {
 int eval_verb(const Arguments& arguments) {
   Request request;
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps eval --model MODEL (--data DATASET | --kitti FOLDER | --pictures FOLDER --lens "
-                     "FILE)\nErrors of "
-                     "a trained network, beside those of two predictors that look at nothing; on screen, as "
-                     "JSON and as a "
-                     "page.\n",
-                     describe(request), {}, values))
+  if (!parse_options(
+          arguments,
+          R"(cps eval --model MODEL (--data DATASET | --kitti FOLDER | --pictures FOLDER --lens FILE)
+Measures the errors of a trained network beside those of two baselines that ignore the image. Prints a table and writes
+a JSON file and an HTML page.
+)",
+          describe(request), {}, values))
     return 0;
   po::notify(values);
-  std::string why;
-  if (!request.options.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   const Device device = usage_checked([&] { return device_from_string(request.device); });
   use_threads(request.threads);
 

@@ -9,34 +9,39 @@
 
 namespace {
 
-/// What libraries read while they load, before main; so it is set by starting over.
+/// Environment variables that libraries read while they load, before main(): set by executing this program
+/// again.
 constexpr const char* settings[][2] = {
-    // By OpenMP's default, waiting threads spin, which halves the speed of training as soon as anything else
+    // OpenMP's waiting threads spin by default, which halves the speed of training as soon as anything else
     // runs on the machine.
     {"OMP_WAIT_POLICY", "passive"},
-    // Each step needs the memory of the one before: by default glibc gives it back to the system in between,
-    // which clears it page by page.
+    // Each step reuses the memory of the one before. By default glibc returns it to the system in between,
+    // which then clears it page by page.
     {"GLIBC_TUNABLES",
      "glibc.malloc.hugetlb=1:glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=17179869184"},
 };
 
-void start_over_with_settings(char** argv) {
+void restart_with_settings(char** argv) {
   bool is_new = false;
   for (const auto& [name, value] : settings) {
     if (std::getenv(name)) continue;
     setenv(name, value, 1);
     is_new = true;
   }
-  if (is_new) execv("/proc/self/exe", argv);  // on failure: slower, nothing worse
+  if (is_new) execv("/proc/self/exe", argv);  // if it fails: slower, but correct
 }
 
 int usage(std::ostream& out, int status) {
-  out << "cps-train: the trainer of cps (cps train, eval and predict run it)\n\n"
-         "Usage: cps-train VERB [options]; cps-train VERB --help says more.\n\n"
-         "  train     train a network on a dataset\n"
-         "  eval      measure a trained network on a dataset\n"
-         "  predict   what a trained network says of images\n\n"
-         "Exit status: 0 done, 1 failed, 2 wrong usage.\n";
+  out << R"(cps-train: the trainer of cps (cps train, eval and predict run it)
+
+Usage: cps-train VERB [options]; cps-train VERB --help lists the options.
+
+  train     train a network on a dataset
+  eval      measure a trained network on a dataset
+  predict   run a trained network on images
+
+Exit status: 0 done, 1 failed, 2 wrong usage.
+)";
   return status;
 }
 
@@ -58,7 +63,7 @@ int run(const cps::Arguments& words) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  start_over_with_settings(argv);
+  restart_with_settings(argv);
   return run(cps::Arguments(argv + 1, argv + argc));
 } catch (const boost::program_options::error& error) {
   std::cerr << "cps-train: " << error.what() << "\n";

@@ -20,7 +20,7 @@ namespace cps {
 namespace {
 
 struct Request {
-  std::string model, json, cameras, format = "opencv-yaml", straight, device = "cpu";
+  std::string model, json, cameras, format = "opencv-yaml", undistorted, device = "cpu";
   std::vector<std::string> images;
   int threads = 0;
   PredictOptions options;
@@ -29,19 +29,20 @@ struct Request {
 po::options_description describe(Request& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("model", po::value(&r.model)->required(), "the model's folder");
+  add("model", po::value(&r.model)->required(), "model folder");
   add("image", po::value(&r.images)->required(),
-      "pictures, or folders of them; may be given without --image");
-  add("json", po::value(&r.json), "write the numbers to this file as well");
-  add("cameras", po::value(&r.cameras), "a folder: a calibration for each picture, of a certified lens");
+      "pictures, or folders of pictures; --image itself may be omitted");
+  add("json", po::value(&r.json), "also write the predictions to this JSON file");
+  add("cameras", po::value(&r.cameras),
+      "folder for calibration files, one per picture, each with a certified lens");
   add("format", po::value(&r.format)->default_value(r.format),
-      "of those: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
-  add("undistort", po::value(&r.straight),
-      "a folder: each picture straightened by what was predicted, no black");
-  add("looks", po::value(&r.options.looks)->default_value(r.options.looks),
-      "changed looks at each picture that its spread is taken from; 0: none");
-  add("device", po::value(&r.device)->default_value(r.device), "cpu or cuda");
-  add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
+      "format of the calibration files: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
+  add("undistort", po::value(&r.undistorted),
+      "folder for undistorted pictures, made with the predicted lens and without black borders");
+  add("variants", po::value(&r.options.variants)->default_value(r.options.variants),
+      "variants of each picture whose predictions give the spread; 0: no spread");
+  add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
+  add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
   return options;
 }
 
@@ -55,12 +56,8 @@ std::vector<fs::path> pictures(const std::vector<std::string>& names) {
   return files;
 }
 
-CalibratedCamera camera_of(const ImagePrediction& p) {
-  return {p.file.stem().string(), p.certified->calibration.camera, p.certified->calibration.distortion};
-}
-
-void straighten(const ImagePrediction& p, const fs::path& folder) {
-  const CalibratedCamera camera = camera_of(p);
+void write_undistorted(const ImagePrediction& p, const fs::path& folder) {
+  const CalibratedCamera& camera = p.certified->camera;
   const ViewFit view = fit_straight_view(camera, Keep::valid, p.size.width, p.size.height, .5);
   if (!view.valid) throw std::runtime_error(p.file.string() + ": " + view.why);
   const Picture picture =
@@ -77,17 +74,17 @@ int predict_verb(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("image", -1);
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          "cps predict --model MODEL IMAGE...\nWhat a trained network says of images: H-FOV, distortion and "
-          "principal point; beside it the truth, where a calibration.json lies beside the image. What is "
-          "written as "
-          "a camera or used to straighten is pulled to a certified lens where the prediction is none.\n",
-          describe(request), positional, values))
+  if (!parse_options(arguments,
+                     R"(cps predict --model MODEL IMAGE...
+Runs a trained network on images: prints H-FOV, distortion and principal point, and the true values if a calibration.json
+lies beside the image. Calibration files and undistorted pictures use a certified lens: if the predicted one is not
+certified, its distortion is reduced until it is.
+)",
+                     describe(request), positional, values))
     return 0;
   po::notify(values);
-  if (request.options.looks < 0 || request.options.looks > 1000)
-    throw po::error("--looks: must lie in [0, 1000]");
+  if (request.options.variants < 0 || request.options.variants > 1000)
+    throw po::error("--variants: must lie in [0, 1000]");
   const CalibrationFormat format =
       usage_checked([&] { return calibration_format_from_string(request.format); });
   const Device device = usage_checked([&] { return device_from_string(request.device); });
@@ -102,8 +99,8 @@ int predict_verb(const Arguments& arguments) {
     if (!p.certified) continue;
     const std::string name = p.file.stem().string() + "_" + usual_file_name(format);
     if (!request.cameras.empty())
-      write_calibration(fs::path(request.cameras) / name, format, std::vector{camera_of(p)});
-    if (!request.straight.empty()) straighten(p, request.straight);
+      write_calibration(fs::path(request.cameras) / name, format, std::vector{p.certified->camera});
+    if (!request.undistorted.empty()) write_undistorted(p, request.undistorted);
   }
   return 0;
 }

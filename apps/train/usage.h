@@ -5,8 +5,7 @@
 
 namespace cps {
 
-/// The value of `parse`, whose std::runtime_error (a word that names no such thing) becomes wrong usage,
-/// exit 2.
+/// Returns parse(), and turns its std::runtime_error (an unknown word) into wrong usage, exit status 2.
 template <typename Parse>
 decltype(auto) usage_checked(Parse parse) {
   try {

@@ -4,7 +4,8 @@
 
 namespace {
 
-/// Forward, backward and optimiser step of one batch of 16; `width` by 9/16 of it. Items are images.
+/// Forward, backward and optimiser step of one batch of 16 images of `width` × 9/16 `width`. Items are
+/// images.
 void training_step(benchmark::State& state, const std::string& architecture) {
   const std::int64_t width = state.range(0), height = width * 9 / 16, batch = 16;
   cps::TrainOptions options;

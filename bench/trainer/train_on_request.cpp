@@ -1,7 +1,7 @@
-// train_on_request BATCH WIDTH HEIGHT STEPS THREADS [step]: for each line on stdin, trains ResNet-18 for so
-// many steps on images in memory as `cps train` does, and prints the seconds they took, wall and CPU;
-// compare_with_python.py asks in turns with Python's torch. With `step`, does what Python does and no more:
-// forward, backward, clip and AdamW on one batch, without its loader.
+// train_on_request BATCH WIDTH HEIGHT STEPS THREADS [step]: for each line on stdin, trains ResNet-18 for
+// STEPS steps on images in memory as `cps train` does, and prints the wall and CPU seconds that took.
+// compare_with_python.py runs it in turns with Python's torch. With `step`, does exactly what the Python
+// program does: forward, backward, clip and AdamW on one batch, without a loader.
 #include <torch/nn/module.h>
 #include <torch/nn/utils/clip_grad.h>
 

@@ -1,10 +1,10 @@
 #include "tests/trainer/street.h"
 
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "distortion/certificate/frame_certificate.h"
@@ -63,8 +63,8 @@ void write_png(const GrayImage& image, const std::filesystem::path& file) {
 
 }  // namespace
 
-GrayImage render_street(const Calibration& calibration, std::uint64_t place) {
-  const Pinhole& camera = calibration.camera;
+GrayImage render_street(const CalibratedCamera& calibration, std::uint64_t place) {
+  const Pinhole& camera = calibration.pinhole;
   const FrameCertificate frame = certify_frame(calibration.distortion, camera, comfortably_one_to_one);
   const double yaw = .12 * (hash01(place, 5, 0, 0) - .5), pitch = .08 * (hash01(place, 5, 0, 1) - .5);
   const Eigen::Matrix3d heading =
@@ -86,28 +86,30 @@ GrayImage render_street(const Calibration& calibration, std::uint64_t place) {
   return image;
 }
 
-Calibration draw_calibration(const ImageSize& size, double hfov_deg, std::uint64_t lens) {
+CalibratedCamera draw_calibration(const ImageSize& size, double hfov_deg, std::uint64_t lens) {
   const double aspect = std::hypot(1.0, static_cast<double>(size.height) / size.width);
   for (std::uint64_t attempt = 0;; ++attempt) {
     const Stream stream =
         substream(substream(make_stream(lens, "street lens"), std::lround(hfov_deg * 100)), attempt);
-    Calibration c{
-        pinhole_from_hfov(size.width, size.height, radians(hfov_deg + random_uniform(stream, 6, -1, 1))), {}};
+    CalibratedCamera c{
+        "",
+        pinhole_from_hfov(size.width, size.height, radians(hfov_deg + random_uniform(stream, 6, -1, 1))),
+        {}};
     if (lens == 0) return c;
-    c.camera.cx += size.width * random_uniform(stream, 0, -.03, .03);
-    c.camera.cy += size.height * random_uniform(stream, 1, -.06, .06);
-    const double r = std::tan(hfov_rad(c.camera) / 2) * aspect, r2 = r * r;
+    c.pinhole.cx += size.width * random_uniform(stream, 0, -.03, .03);
+    c.pinhole.cy += size.height * random_uniform(stream, 1, -.06, .06);
+    const double r = std::tan(hfov_rad(c.pinhole) / 2) * aspect, r2 = r * r;
     const double K1 = random_uniform(stream, 2, -.35, .15), K2 = K1 * random_uniform(stream, 3, -.6, 0),
                  K3 = -.2 * K2;
     c.distortion = {K1 / r2, K2 / (r2 * r2), K3 / (r2 * r2 * r2), random_uniform(stream, 4, -.012, .012) / r,
                     random_uniform(stream, 5, -.012, .012) / r};
-    if (certify_frame(c.distortion, c.camera, comfortably_one_to_one).valid()) return c;
+    if (certify_frame(c.distortion, c.pinhole, comfortably_one_to_one).valid()) return c;
   }
 }
 
 Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatasetOptions& options) {
   struct Image {
-    Calibration calibration;
+    CalibratedCamera calibration;
     std::uint64_t place;
     std::filesystem::path file;
   };
@@ -121,22 +123,20 @@ Dataset make_street_dataset(const std::filesystem::path& root, const StreetDatas
       for (int f = 0; f < options.fields_of_view; ++f)
         for (int l = 0; l < options.lenses_per_part; ++l) {
           const double hfov_deg = 35 + 75.0 * (f + .5) / options.fields_of_view;
-          char folder[64];
-          std::snprintf(folder, sizeof folder, "%dx%d_hfov%03.0f/front_lens%04d", size.width, size.height,
-                        hfov_deg, ++lens_number);
-          const Calibration calibration = draw_calibration(size, hfov_deg, l == 0 ? 0 : lens_number);
+          const std::string folder = fmt::format("{}x{}_hfov{:03.0f}/front_lens{:04}", size.width,
+                                                 size.height, hfov_deg, ++lens_number);
+          const CalibratedCamera calibration = draw_calibration(size, hfov_deg, l == 0 ? 0 : lens_number);
           Label label;
-          label.camera = calibration.camera;
+          label.camera = calibration.pinhole;
           label.distortion = calibration.distortion;
-          label.fov_base_deg = degrees(hfov_rad(calibration.camera));
+          label.fov_base_deg = degrees(hfov_rad(calibration.pinhole));
           label.part = part;
           write_json(root / folder / "calibration.json", to_json(label));
           for (int i = 0; i < count; ++i) {
-            char name[96];
-            std::snprintf(name, sizeof name, "%s/%06d.png", folder, i);
+            const std::string name = fmt::format("{}/{:06}.png", folder, i);
             images.push_back(
                 {calibration, static_cast<std::uint64_t>(first_place + i + 1000 * f), root / name});
-            list += std::string(name) + "\n";
+            list += name + "\n";
           }
         }
     write_file(root / "splits" / (to_string(part) + ".txt"), list);

@@ -40,7 +40,7 @@ void keep_street_masters(const std::filesystem::path& root, const ImageSize& siz
     const double base_deg = degrees(2 * std::atan(1.5 * std::tan(radians(hfov_deg) / 2)));
     const Pinhole base = pinhole_from_hfov(size.width, size.height, radians(base_deg)),
                   camera = master_camera(base, {.oversampling = 3.2}, .15);
-    const GrayImage street = render_street({camera, {}}, i);
+    const GrayImage street = render_street({"", camera, {}}, i);
     OIIO::ImageBuf encoded(OIIO::ImageSpec(camera.width, camera.height, 1, OIIO::TypeDesc::FLOAT));
     encoded.set_pixels(encoded.roi(), OIIO::TypeDesc::UINT8, street.pixels.data());
     const OIIO::ImageBuf linear = OIIO::ImageBufAlgo::colorconvert(encoded, "sRGB", "linear");

@@ -7,19 +7,19 @@
 namespace cps {
 namespace {
 
-Distortion scaled(const Distortion& d, double share) {
-  return {share * d.k1, share * d.k2, share * d.k3, share * d.p1, share * d.p2};
+Distortion scaled(const Distortion& d, double factor) {
+  return {factor * d.k1, factor * d.k2, factor * d.k3, factor * d.p1, factor * d.p2};
 }
 
 }  // namespace
 
-CertifiedLens pull_to_certified(const Calibration& predicted) {
+CertifiedLens pull_to_certified(const CalibratedCamera& predicted) {
   CertifiedLens result{predicted};
-  Pinhole& camera = result.calibration.camera;
-  camera.cx = std::clamp(camera.cx, 0.0, camera.width - 1.0);
-  camera.cy = std::clamp(camera.cy, 0.0, camera.height - 1.0);
-  const auto is_certified_at = [&](double share) {
-    return certify_frame(scaled(predicted.distortion, share), camera).valid();
+  Pinhole& pinhole = result.camera.pinhole;
+  pinhole.cx = std::clamp(pinhole.cx, 0.0, pinhole.width - 1.0);
+  pinhole.cy = std::clamp(pinhole.cy, 0.0, pinhole.height - 1.0);
+  const auto is_certified_at = [&](double factor) {
+    return certify_frame(scaled(predicted.distortion, factor), pinhole).valid();
   };
   if (is_certified_at(1)) return result;
   double low = 0, high = 1;
@@ -28,7 +28,7 @@ CertifiedLens pull_to_certified(const Calibration& predicted) {
     (is_certified_at(middle) ? low : high) = middle;
   }
   result.kept = low;
-  result.calibration.distortion = scaled(predicted.distortion, low);
+  result.camera.distortion = scaled(predicted.distortion, low);
   return result;
 }
 

@@ -1,19 +1,19 @@
 #pragma once
 
-#include "trainer/calibration/targets.h"
+#include "distortion/calibrated_camera.h"
 
 namespace cps {
 
-/// A calibration that is certain to be one, made of what was predicted.
+/// A predicted camera, changed as little as needed so that its lens is certified.
 struct CertifiedLens {
-  Calibration calibration;
-  double kept = 1;  ///< share of the predicted coefficients: 1, they are as predicted
+  CalibratedCamera camera;
+  double kept = 1;  ///< factor on the predicted distortion coefficients; 1: as predicted
 };
 
-/// The lens as it is where it is certified on its frame (eigenvalues between .15 and 1.8, as drawn lenses
-/// are); else with all five coefficients multiplied by the largest share with which it is, found by
-/// bisection to 1e-6, and a principal point outside the frame moved to its edge. The set of certified lenses
-/// is convex and holds the undistorted one, so there is such a share.
-CertifiedLens pull_to_certified(const Calibration& calibration);
+/// The predicted lens as it is if it is certified on its frame (eigenvalues between .15 and 1.8, as for drawn
+/// lenses). Otherwise all five coefficients are multiplied by the largest factor that makes it so, found by
+/// bisection to 1e-6. A principal point outside the frame is moved to its edge. Such a factor always exists:
+/// the set of certified lenses is convex and contains the undistorted lens.
+CertifiedLens pull_to_certified(const CalibratedCamera& predicted);
 
 }  // namespace cps

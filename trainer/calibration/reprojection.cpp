@@ -12,11 +12,11 @@ namespace cps {
 
 namespace {
 
-/// The grid's points that certified rectangles similar to `shape` show. Empty when those are less than
-/// `least_share` of them, or not all though the lens is one-to-one in its frame.
-std::optional<RayGrid> shown_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns,
-                                  double least_share) {
-  const Pinhole& camera = truth.camera;
+/// The grid points inside the largest certified rectangle similar to `shape`. Empty if they are less than
+/// `min_share` of the grid, or if any is missing although the lens is one-to-one in its frame.
+std::optional<RayGrid> shown_grid(const CalibratedCamera& truth, const Eigen::AlignedBox2d& shape,
+                                  int columns, double min_share) {
+  const Pinhole& camera = truth.pinhole;
   const FrameCertificate frame = certify_frame(truth.distortion, camera, shape, one_to_one);
   const int rows =
       std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
@@ -30,22 +30,23 @@ std::optional<RayGrid> shown_grid(const Calibration& truth, const Eigen::Aligned
       grid.pixels.push_back(pixel);
       grid.ideal.push_back(*ideal);
     }
-  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : least_share) * rows * columns)
+  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : min_share) * rows * columns)
     return std::nullopt;
   return grid;
 }
 
 }  // namespace
 
-std::optional<RayGrid> ray_grid(const Calibration& truth, const Eigen::AlignedBox2d& shape, int columns) {
+std::optional<RayGrid> ray_grid(const CalibratedCamera& truth, const Eigen::AlignedBox2d& shape,
+                                int columns) {
   return shown_grid(truth, shape, columns, .9);
 }
 
-std::optional<RayGrid> ray_grid(const Calibration& truth, int columns) {
-  return ray_grid(truth, frame_on_plane(truth.camera), columns);
+std::optional<RayGrid> ray_grid(const CalibratedCamera& truth, int columns) {
+  return ray_grid(truth, frame_on_plane(truth.pinhole), columns);
 }
 
-std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const Eigen::AlignedBox2d& shape,
+std::shared_ptr<const RayGrid> loss_rays(const CalibratedCamera& truth, const Eigen::AlignedBox2d& shape,
                                          const std::string& label) {
   constexpr int columns = 12;
   std::optional<RayGrid> rays = shown_grid(truth, shape, columns, 1);
@@ -54,22 +55,23 @@ std::shared_ptr<const RayGrid> loss_rays(const Calibration& truth, const Eigen::
   return std::make_shared<const RayGrid>(std::move(*rays));
 }
 
-double reprojection_error_px(const RayGrid& truth, const Calibration& prediction) {
+double reprojection_error_px(const RayGrid& truth, const CalibratedCamera& prediction) {
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    const Eigen::Vector2d put = to_pixel(prediction.camera, distort(prediction.distortion, truth.ideal[i]));
-    sum += (put - truth.pixels[i]).norm();
+    const Eigen::Vector2d predicted =
+        to_pixel(prediction.pinhole, distort(prediction.distortion, truth.ideal[i]));
+    sum += (predicted - truth.pixels[i]).norm();
   }
   return sum / static_cast<double>(truth.pixels.size());
 }
 
-std::optional<double> angular_error_deg(const RayGrid& truth, const Calibration& prediction) {
-  const FrameCertificate frame = certify_frame(prediction.distortion, prediction.camera, one_to_one);
+std::optional<double> angular_error_deg(const RayGrid& truth, const CalibratedCamera& prediction) {
+  const FrameCertificate frame = certify_frame(prediction.distortion, prediction.pinhole, one_to_one);
   if (!frame.valid()) return std::nullopt;
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
     const auto ideal =
-        undistort(prediction.distortion, frame.rectangle, to_plane(prediction.camera, truth.pixels[i]));
+        undistort(prediction.distortion, frame.rectangle, to_plane(prediction.pinhole, truth.pixels[i]));
     if (!ideal) return std::nullopt;
     const Eigen::Vector3d a = truth.ideal[i].homogeneous(), b = ideal->homogeneous();
     sum += std::atan2(a.cross(b).norm(), a.dot(b));
@@ -77,8 +79,8 @@ std::optional<double> angular_error_deg(const RayGrid& truth, const Calibration&
   return degrees(sum / static_cast<double>(truth.pixels.size()));
 }
 
-bool is_one_to_one(const Calibration& calibration) {
-  return certify_frame(calibration.distortion, calibration.camera, one_to_one).valid();
+bool is_one_to_one(const CalibratedCamera& camera) {
+  return certify_frame(camera.distortion, camera.pinhole, one_to_one).valid();
 }
 
 }  // namespace cps

@@ -8,7 +8,7 @@
 namespace cps {
 namespace {
 
-/// What each output is multiplied by on its way from raw to apparent.
+/// The factors that turn raw outputs into apparent ones.
 Outputs apparent_scale(double fov, int width, int height) {
   const double half_diagonal = std::tan(fov / 2) * std::hypot(1.0, static_cast<double>(height) / width);
   const double r2 = half_diagonal * half_diagonal;
@@ -24,25 +24,26 @@ std::string to_string(TargetSpace space) {
 TargetSpace target_space_from_string(const std::string& word) {
   if (word == "raw") return TargetSpace::raw;
   if (word == "apparent") return TargetSpace::apparent;
-  throw std::runtime_error("target space '" + word + "': not known: say raw or apparent");
+  throw std::runtime_error("target space '" + word + "': unknown: use raw or apparent");
 }
 
-Outputs to_outputs(const Calibration& calibration, TargetSpace space) {
-  const Pinhole& camera = calibration.camera;
-  const Distortion& d = calibration.distortion;
-  const Outputs raw{hfov_rad(camera),         d.k1, d.k2, d.k3, d.p1, d.p2, camera.cx / camera.width,
-                    camera.cy / camera.height};
-  return convert(raw, TargetSpace::raw, space, camera.width, camera.height);
+Outputs to_outputs(const CalibratedCamera& camera, TargetSpace space) {
+  const Pinhole& pinhole = camera.pinhole;
+  const Distortion& d = camera.distortion;
+  const Outputs raw{hfov_rad(pinhole),          d.k1, d.k2, d.k3, d.p1, d.p2, pinhole.cx / pinhole.width,
+                    pinhole.cy / pinhole.height};
+  return convert(raw, TargetSpace::raw, space, pinhole.width, pinhole.height);
 }
 
-std::optional<Calibration> to_calibration(const Outputs& outputs, TargetSpace space, int width, int height) {
+std::optional<CalibratedCamera> to_camera(const Outputs& outputs, TargetSpace space, int width, int height) {
   if (!(outputs[0] > 0 && outputs[0] < std::numbers::pi)) return std::nullopt;
   const Outputs raw = convert(outputs, space, TargetSpace::raw, width, height);
   if (!std::ranges::all_of(raw, [](double v) { return std::isfinite(v); })) return std::nullopt;
-  Calibration calibration{pinhole_from_hfov(width, height, raw[0]), {raw[1], raw[2], raw[3], raw[4], raw[5]}};
-  calibration.camera.cx = raw[6] * width;
-  calibration.camera.cy = raw[7] * height;
-  return calibration;
+  CalibratedCamera camera{
+      "", pinhole_from_hfov(width, height, raw[0]), {raw[1], raw[2], raw[3], raw[4], raw[5]}};
+  camera.pinhole.cx = raw[6] * width;
+  camera.pinhole.cy = raw[7] * height;
+  return camera;
 }
 
 Outputs convert(const Outputs& outputs, TargetSpace from, TargetSpace to, int width, int height) {

@@ -1,10 +1,10 @@
 #include "trainer/evaluation/evaluate.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -15,7 +15,7 @@
 namespace cps {
 namespace {
 
-/// The set's images as the network takes them. Those that cannot be read leave the set, with a line in
+/// The set's images, reduced for the network. Unreadable images are removed from the set with a line in
 /// `skipped`, or are an error.
 std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reduction, bool skip_bad,
                                    std::vector<std::string>& skipped) {
@@ -25,7 +25,7 @@ std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reductio
     try {
       const EvaluationImage& image = set.images[i];
       const GrayImage gray = read_gray_image(image.file);
-      const Pinhole& camera = image.truth.camera;
+      const Pinhole& camera = image.truth.pinhole;
       if (gray.size != ImageSize{camera.width, camera.height})
         throw std::runtime_error(image.file.string() + ": is " + std::to_string(gray.size.width) + "x" +
                                  std::to_string(gray.size.height) + ", but its calibration is of " +
@@ -52,7 +52,7 @@ std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reductio
 }
 
 Outputs centred_without_distortion(double fov, const Pinhole& camera) {
-  return to_outputs({pinhole_from_hfov(camera.width, camera.height, fov), {}}, TargetSpace::raw);
+  return to_outputs({"", pinhole_from_hfov(camera.width, camera.height, fov), {}}, TargetSpace::raw);
 }
 
 std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSet& set,
@@ -61,34 +61,34 @@ std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSe
   const TargetSpace space = card.options.target_space;
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const Pinhole& camera = set.images[i].truth.camera;
+    const Pinhole& camera = set.images[i].truth.pinhole;
     batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
   }
-  const std::vector<Outputs> said = predictor(batch);
+  const std::vector<Outputs> predicted = predictor(batch);
   std::vector<EvaluatedImage> judged(set.images.size());
   tbb::parallel_for(std::size_t{0}, judged.size(), [&](std::size_t i) {
     const EvaluationImage& image = set.images[i];
-    const Pinhole& camera = image.truth.camera;
+    const Pinhole& camera = image.truth.pinhole;
     const auto raw = [&](const Outputs& outputs) {
       return convert(outputs, space, TargetSpace::raw, camera.width, camera.height);
     };
     const auto errors = [&](const Outputs& outputs) {
       return image_errors({&image.truth, image.rays.get(), outputs});
     };
-    judged[i] = {image, raw(said[i]), errors(raw(said[i])), errors(raw(card.targets.mean)),
+    judged[i] = {image, raw(predicted[i]), errors(raw(predicted[i])), errors(raw(card.targets.mean)),
                  errors(centred_without_distortion(card.targets.mean[0], camera))};
   });
   return judged;
 }
 
-/// Of the chosen images; repeated ones count again.
+/// Over the chosen images; repeated ones count repeatedly.
 LensErrors summary_of(const std::vector<EvaluatedImage>& images, std::span<const int> chosen,
                       ImageErrors EvaluatedImage::*of) {
   std::vector<ImageErrors> errors;
   std::vector<double> fov;
   for (int i : chosen) {
     errors.push_back(images[i].*of);
-    fov.push_back(hfov_rad(images[i].image.truth.camera));
+    fov.push_back(hfov_rad(images[i].image.truth.pinhole));
   }
   return summarise(errors, fov);
 }
@@ -119,12 +119,9 @@ std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
   std::map<std::pair<int, std::string>, std::vector<int>> members;  // kind, name
   for (int i = 0; i < static_cast<int>(images.size()); ++i) {
     const EvaluationImage& image = images[i].image;
-    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.camera)) / 10)) * 10;
-    char range[32];
-    std::snprintf(range, sizeof range, "%3d to %3d deg", tens, tens + 10);
-    members[{0, range}].push_back(i);
-    members[{1, std::to_string(image.truth.camera.width) + "x" + std::to_string(image.truth.camera.height)}]
-        .push_back(i);
+    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.pinhole)) / 10)) * 10;
+    members[{0, fmt::format("{:3} to {:3} deg", tens, tens + 10)}].push_back(i);
+    members[{1, fmt::format("{}x{}", image.truth.pinhole.width, image.truth.pinhole.height)}].push_back(i);
     members[{2, image.camera}].push_back(i);
   }
   static constexpr std::array kinds{"H-FOV", "size", "camera"};
@@ -138,10 +135,8 @@ std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
 
 }  // namespace
 
-bool EvaluationOptions::is_valid(std::string* why) const {
-  if (resamples >= 0 && resamples <= 1'000'000) return true;
-  if (why) *why = "bootstrap: must lie in [0, 1000000]";
-  return false;
+std::string EvaluationOptions::fault() const {
+  return resamples >= 0 && resamples <= 1'000'000 ? "" : "bootstrap: must lie in [0, 1000000]";
 }
 
 Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,

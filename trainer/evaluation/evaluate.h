@@ -13,22 +13,25 @@
 
 namespace cps {
 
+/// How to measure.
 struct EvaluationOptions {
-  int resamples = 1000;    ///< of the bootstrap; 0: no intervals
-  std::uint64_t seed = 0;  ///< of the bootstrap and of the noise in the table of robustness
-  bool robustness = false;
-  bool skip_bad_images = false;  ///< leave out what cannot be read, and say so; else it is an error
-  bool is_valid(std::string* why) const;
+  int resamples = 1000;          ///< of the bootstrap; 0: no intervals
+  std::uint64_t seed = 0;        ///< seed of the bootstrap and of the noise in the robustness table
+  bool robustness = false;       ///< measure the errors on corrupted images, too
+  bool skip_bad_images = false;  ///< leave out unreadable images and report them; otherwise they are an error
+
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
-/// One image and what was said of it by the network and by the two predictors that look at nothing.
+/// One image with the predictions of the network and of the two baselines.
 struct EvaluatedImage {
   EvaluationImage image;
-  Outputs said{};  ///< raw
+  Outputs predicted{};  ///< by the network, raw
   ImageErrors network, training_mean, centre;
 };
 
-/// A part of the images.
+/// A subset of the images.
 struct EvaluationBin {
   std::string kind, name;  ///< "H-FOV" "60–70°"; "size" "348x128"; "camera" "front"
   int images = 0;
@@ -41,36 +44,39 @@ struct Estimate {
   Interval interval{};
 };
 
-/// The numbers that intervals are given for.
+/// The numbers that have intervals.
 struct Headline {
   Estimate hfov_mean_deg, hfov_median_deg, hfov_correlation, reprojection_mean_px, reprojection_median_px;
-  /// Network's mean by the training mean's: below 1 is better than looking at nothing.
+  /// The network's mean error divided by that of always predicting the training mean: below 1 is better.
   Estimate hfov_ratio, reprojection_ratio;
 };
 
-/// A network's errors beside those of two predictors that look at nothing.
+/// A network's errors beside those of two baselines that ignore the image.
 struct Evaluation {
   std::string model;  ///< folder
   std::string set;
   LensErrors network;
-  LensErrors training_mean;  ///< always says the mean of the training targets, in the model's target space
-  LensErrors centre;         ///< centred principal point, no distortion, the training set's mean H-FOV
+  LensErrors
+      training_mean;  ///< always predicts the mean of the training targets, in the model's target space
+  LensErrors centre;  ///< predicts a centred principal point, no distortion, the training set's mean H-FOV
   Headline headline;
   std::vector<EvaluationBin> bins;
-  std::vector<RobustnessRow> robustness;  ///< empty unless asked for
+  std::vector<RobustnessRow> robustness;  ///< empty unless requested
   std::vector<EvaluatedImage> images;
   std::vector<std::string> skipped;  ///< one line for each image that could not be read
 
-  /// Aligned tables for a person.
+  /// Aligned tables for the screen.
   std::string report() const;
 };
 
+/// Everything, for eval.json.
 nlohmann::ordered_json to_json(const Evaluation& evaluation);
 
-/// The same as one self-contained page with plots and the worst images.
+/// One self-contained HTML page with the tables, plots and the worst images.
 std::string to_html(const Evaluation& evaluation);
 
-/// Throws std::runtime_error with one line when an image is bad (unless they are skipped) or none is left.
+/// Runs the predictor on the set and measures its errors. Throws std::runtime_error with one line if an image
+/// is bad (unless bad images are skipped) or none is left.
 Evaluation evaluate(const Predictor& predictor, const EvaluationSet& set,
                     const EvaluationOptions& options = {});
 

@@ -52,13 +52,13 @@ Json to_json(const Headline& h) {
 }
 
 Json to_json(const EvaluatedImage& image) {
-  const Pinhole& camera = image.image.truth.camera;
+  const Pinhole& camera = image.image.truth.pinhole;
   Json json{{"file", image.image.name},
             {"camera", image.image.camera},
             {"width", camera.width},
             {"height", camera.height},
             {"true", named(to_outputs(image.image.truth, TargetSpace::raw))},
-            {"said", named(image.said)},
+            {"said", named(image.predicted)},
             {"hfov_error_deg", image.network.hfov_deg},
             {"folds", image.network.folds}};
   json["reprojection_px"] =

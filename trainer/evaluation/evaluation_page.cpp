@@ -1,8 +1,10 @@
 #include <OpenImageIO/imagebuf.h>
+#include <fmt/format.h>
+#include <openssl/evp.h>
 
 #include <algorithm>
-#include <cstdio>
 
+#include "files/markup.h"
 #include "files/plot.h"
 #include "files/png.h"
 #include "numbers/angles.h"
@@ -11,21 +13,12 @@
 namespace cps {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (char c : text) html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  return html;
-}
-
 std::string base64(const std::string& bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned triple = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      triple = triple << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
-    for (int k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[triple >> (18 - 6 * k) & 63] : '=';
-  }
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // with a final zero
+  const int length =
+      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
+                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
+  text.resize(static_cast<std::size_t>(length));
   return text;
 }
 
@@ -33,7 +26,7 @@ PlotSeries diagonal(Interval range) {
   return {.style = PlotStyle::line, .points = {{range.low, range.low}, {range.high, range.high}}};
 }
 
-/// What was said against what is true, of one output, coefficients in apparent space.
+/// Predicted against true values of one output, coefficients in apparent space.
 Plot predicted_against_true(const Evaluation& e, int output) {
   Plot plot{.title = output == 0 ? "H-FOV, degrees"
                                  : std::string(output_names[output]) + (output < 6 ? ", scaled" : ""),
@@ -44,9 +37,9 @@ Plot predicted_against_true(const Evaluation& e, int output) {
   for (const EvaluatedImage& image : e.images) {
     const double unit = output == 0 ? degrees(1) : 1;
     const double truth = unit * to_outputs(image.image.truth, TargetSpace::apparent)[output],
-                 said = truth + unit * image.network.apparent[output];
-    dots.points.emplace_back(truth, said);
-    range = {std::min({range.low, truth, said}), std::max({range.high, truth, said})};
+                 predicted = truth + unit * image.network.apparent[output];
+    dots.points.emplace_back(truth, predicted);
+    range = {std::min({range.low, truth, predicted}), std::max({range.high, truth, predicted})};
   }
   plot.series = {std::move(dots), diagonal(range)};
   return plot;
@@ -58,7 +51,7 @@ Plot error_against_hfov(const Evaluation& e, const char* title, const char* labe
   PlotSeries network{.name = "network", .style = PlotStyle::dots},
       mean{.name = "train mean", .style = PlotStyle::dots};
   for (const EvaluatedImage& image : e.images) {
-    const double hfov_deg = degrees(hfov_rad(image.image.truth.camera));
+    const double hfov_deg = degrees(hfov_rad(image.image.truth.pinhole));
     if (const auto value = error(image.network)) network.points.emplace_back(hfov_deg, *value);
     if (const auto value = error(image.training_mean)) mean.points.emplace_back(hfov_deg, *value);
   }
@@ -76,7 +69,7 @@ std::string plots(const Evaluation& e) {
   return to_svg(all, 3);
 }
 
-/// The image, at most 420 pixels wide, as a data URI; empty when it can no longer be read.
+/// The image, at most 420 pixels wide, as a data URI; empty if it can no longer be read.
 std::string picture(const EvaluatedImage& image) {
   try {
     const GrayImage whole = read_gray_image(image.image.file);
@@ -99,12 +92,11 @@ std::string worst_images(const Evaluation& e) {
   std::string html;
   for (std::size_t i = 0; i < std::min(shown, images.size()); ++i) {
     const EvaluatedImage& image = *images[i];
-    char numbers[200];
-    const double truth = degrees(hfov_rad(image.image.truth.camera));
-    std::snprintf(numbers, sizeof numbers, "reprojection %.1f px; H-FOV %.1f deg, said %.1f deg",
-                  image.network.reprojection_px.value_or(INFINITY), truth, degrees(image.said[0]));
-    html += "<figure><img src=\"" + picture(image) + "\" alt=\"\"><figcaption>" + escaped(image.image.name) +
-            "<br>" + numbers + "</figcaption></figure>\n";
+    html += fmt::format(
+        R"(<figure><img src="{}" alt=""><figcaption>{}<br>reprojection {:.1f} px; H-FOV {:.1f} deg, predicted {:.1f} deg</figcaption></figure>
+)",
+        picture(image), escaped(image.image.name), image.network.reprojection_px.value_or(INFINITY),
+        degrees(hfov_rad(image.image.truth.pinhole)), degrees(image.predicted[0]));
   }
   return html;
 }
@@ -112,15 +104,21 @@ std::string worst_images(const Evaluation& e) {
 }  // namespace
 
 std::string to_html(const Evaluation& evaluation) {
-  return "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>cps eval: " +
-         escaped(evaluation.set) +
-         "</title>\n<style>body{font:15px sans-serif;max-width:1300px;margin:2em auto;padding:0 1em}"
-         "figure{display:inline-block;margin:.5em;vertical-align:top}img{max-width:420px}"
-         "figcaption{font-size:12px;max-width:420px;overflow-wrap:anywhere}svg{max-width:100%;height:auto}"
-         "pre{overflow-x:auto}</style>\n<h1>" +
-         escaped(evaluation.set) + "</h1>\n<pre>" + escaped(evaluation.report()) +
-         "</pre>\n<h2>Predicted against true, and errors against H-FOV</h2>\n" + plots(evaluation) +
-         "<h2>Worst images</h2>\n" + worst_images(evaluation) + "</html>\n";
+  return fmt::format(R"(<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>cps eval: {set}</title>
+<style>body{{font:15px sans-serif;max-width:1300px;margin:2em auto;padding:0 1em}}
+figure{{display:inline-block;margin:.5em;vertical-align:top}}img{{max-width:420px}}
+figcaption{{font-size:12px;max-width:420px;overflow-wrap:anywhere}}svg{{max-width:100%;height:auto}}
+pre{{overflow-x:auto}}</style>
+<h1>{set}</h1>
+<pre>{report}</pre>
+<h2>Predicted against true, and errors against H-FOV</h2>
+{plots}<h2>Worst images</h2>
+{worst}</html>
+)",
+                     fmt::arg("set", escaped(evaluation.set)),
+                     fmt::arg("report", escaped(evaluation.report())), fmt::arg("plots", plots(evaluation)),
+                     fmt::arg("worst", worst_images(evaluation)));
 }
 
 }  // namespace cps

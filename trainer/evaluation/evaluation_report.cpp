@@ -1,5 +1,6 @@
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "trainer/evaluation/evaluate.h"
 
@@ -9,10 +10,8 @@ namespace {
 using Columns = std::array<const LensErrors*, 3>;
 
 std::string row(const std::string& name, const char* unit, const std::array<double, 3>& values) {
-  char line[160];
-  std::snprintf(line, sizeof line, "%-24s %-5s %12.4g %12.4g %12.4g\n", name.c_str(), unit, values[0],
-                values[1], values[2]);
-  return line;
+  return fmt::format("{:<24} {:<5} {:12.4g} {:12.4g} {:12.4g}\n", name, unit, values[0], values[1],
+                     values[2]);
 }
 
 std::string row(const std::string& name, const char* unit, const Columns& columns,
@@ -34,10 +33,8 @@ std::string output_rows(const std::string& measure, const Columns& columns, Outp
 }
 
 std::string estimate_row(const char* name, const char* unit, const Estimate& e) {
-  char line[160];
-  std::snprintf(line, sizeof line, "%-34s %9.4g %-4s [%.4g, %.4g]\n", name, e.value, unit, e.interval.low,
-                e.interval.high);
-  return line;
+  return fmt::format("{:<34} {:9.4g} {:<4} [{:.4g}, {:.4g}]\n", name, e.value, unit, e.interval.low,
+                     e.interval.high);
 }
 
 std::string headline_rows(const Headline& h) {
@@ -52,39 +49,30 @@ std::string headline_rows(const Headline& h) {
 }
 
 std::string bin_rows(const std::vector<EvaluationBin>& bins) {
-  char line[200];
-  std::snprintf(line, sizeof line, "\n%-7s %-16s %7s %16s %16s %16s %16s\n", "", "", "images",
-                "H-FOV error deg", "train mean's", "reprojection px", "train mean's");
-  std::string text = line;
-  for (const EvaluationBin& bin : bins) {
-    std::snprintf(line, sizeof line, "%-7s %-16s %7d %16.4g %16.4g %16.4g %16.4g\n", bin.kind.c_str(),
-                  bin.name.c_str(), bin.images, bin.network.hfov_mean_deg, bin.training_mean.hfov_mean_deg,
-                  bin.network.reprojection_mean_px, bin.training_mean.reprojection_mean_px);
-    text += line;
-  }
+  std::string text = fmt::format("\n{:<7} {:<16} {:>7} {:>16} {:>16} {:>16} {:>16}\n", "", "", "images",
+                                 "H-FOV error deg", "train mean's", "reprojection px", "train mean's");
+  for (const EvaluationBin& bin : bins)
+    text += fmt::format("{:<7} {:<16} {:7} {:16.4g} {:16.4g} {:16.4g} {:16.4g}\n", bin.kind, bin.name,
+                        bin.images, bin.network.hfov_mean_deg, bin.training_mean.hfov_mean_deg,
+                        bin.network.reprojection_mean_px, bin.training_mean.reprojection_mean_px);
   return text;
 }
 
 std::string robustness_rows(const std::vector<RobustnessRow>& rows) {
   if (rows.empty()) return "";
-  char line[160];
-  std::snprintf(line, sizeof line, "\n%-24s %10s %16s %16s\n", "images spoilt by", "loss", "H-FOV error deg",
-                "reprojection px");
-  std::string text = line;
-  for (const RobustnessRow& r : rows) {
-    std::snprintf(line, sizeof line, "%-24s %10.4g %16.4g %16.4g\n", r.name.c_str(), r.loss, r.hfov_mean_deg,
-                  r.reprojection_mean_px);
-    text += line;
-  }
+  std::string text = fmt::format("\n{:<24} {:>10} {:>16} {:>16}\n", "images corrupted by", "loss",
+                                 "H-FOV error deg", "reprojection px");
+  for (const RobustnessRow& r : rows)
+    text += fmt::format("{:<24} {:10.4g} {:16.4g} {:16.4g}\n", r.name, r.loss, r.hfov_mean_deg,
+                        r.reprojection_mean_px);
   return text;
 }
 
 std::string auc_rows(const Columns& columns) {
   std::string text;
   for (std::size_t t = 0; t < LensErrors::auc_thresholds_deg.size(); ++t) {
-    char name[32];
-    std::snprintf(name, sizeof name, "H-FOV AUC@%g", LensErrors::auc_thresholds_deg[t]);
-    text += row(name, "", {columns[0]->hfov_auc[t], columns[1]->hfov_auc[t], columns[2]->hfov_auc[t]});
+    text += row(fmt::format("H-FOV AUC@{:g}", LensErrors::auc_thresholds_deg[t]), "",
+                {columns[0]->hfov_auc[t], columns[1]->hfov_auc[t], columns[2]->hfov_auc[t]});
   }
   return text;
 }
@@ -93,11 +81,9 @@ std::string auc_rows(const Columns& columns) {
 
 std::string Evaluation::report() const {
   const Columns columns{&network, &training_mean, &centre};
-  char line[160];
-  std::string text = std::to_string(network.images) + " " + set + ", model " + model + "\n";
+  std::string text = fmt::format("{} {}, model {}\n", network.images, set, model);
   for (const std::string& why : skipped) text += "left out: " + why + "\n";
-  std::snprintf(line, sizeof line, "%-30s %12s %12s %12s\n", "", "network", "train mean", "centre");
-  text += line;
+  text += fmt::format("{:<30} {:>12} {:>12} {:>12}\n", "", "network", "train mean", "centre");
   text += row("H-FOV error, mean", "deg", columns, &LensErrors::hfov_mean_deg);
   text += row("H-FOV error, median", "deg", columns, &LensErrors::hfov_median_deg);
   text += auc_rows(columns);
@@ -116,13 +102,12 @@ std::string Evaluation::report() const {
   text += output_rows("RMSE", columns, &LensErrors::raw_rmse, 0, output_count, "");
   text += output_rows("MAE", columns, &LensErrors::apparent_mae, 1, 6, " apparent");
   text += bin_rows(bins) + robustness_rows(robustness) + headline_rows(headline);
-  std::snprintf(line, sizeof line,
-                "H-FOV error %.0f %% %s the training mean's; reprojection error %.0f %% %s\n",
-                100 * std::abs(1 - network.hfov_mean_deg / training_mean.hfov_mean_deg),
-                network.hfov_mean_deg < training_mean.hfov_mean_deg ? "below" : "above",
-                100 * std::abs(1 - network.reprojection_mean_px / training_mean.reprojection_mean_px),
-                network.reprojection_mean_px < training_mean.reprojection_mean_px ? "below" : "above");
-  return text + line;
+  return text +
+         fmt::format("H-FOV error {:.0f} % {} the training mean's; reprojection error {:.0f} % {}\n",
+                     100 * std::abs(1 - network.hfov_mean_deg / training_mean.hfov_mean_deg),
+                     network.hfov_mean_deg < training_mean.hfov_mean_deg ? "below" : "above",
+                     100 * std::abs(1 - network.reprojection_mean_px / training_mean.reprojection_mean_px),
+                     network.reprojection_mean_px < training_mean.reprojection_mean_px ? "below" : "above");
 }
 
 }  // namespace cps

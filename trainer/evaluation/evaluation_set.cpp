@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::shared_ptr<const RayGrid> shared(std::optional<RayGrid> rays, const std::string& where) {
   if (!rays)
-    throw std::runtime_error(where + ": the lens is not one-to-one in its frame: cps lens check tells more");
+    throw std::runtime_error(where + ": the lens is not one-to-one in its frame: see cps lens check");
   return std::make_shared<const RayGrid>(std::move(*rays));
 }
 
@@ -26,7 +26,7 @@ EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
   for (int i : images_of(dataset, part)) {
     const DatasetImage& image = dataset.images[i];
     const DatasetGroup& group = dataset.groups[image.group];
-    const Calibration truth{group.label.camera, group.label.distortion};
+    const CalibratedCamera truth{group.label.rig_camera, group.label.camera, group.label.distortion};
     auto& grid = rays[image.group];
     if (!grid)
       grid = shared(ray_grid(truth, frame_on_plane(base_of(group.label))),
@@ -45,22 +45,20 @@ EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
 EvaluationSet kitti_evaluation_set(const fs::path& folder) {
   EvaluationSet set{.name = "KITTI raw frames of " + folder.string(), .images = {}};
   for (const CameraPictures& pictures : kitti_raw(folder)) {
-    const Calibration truth{pictures.camera.pinhole, pictures.camera.distortion};
-    const auto rays = shared(ray_grid(truth), folder.string() + ": camera " + pictures.camera.name);
+    const auto rays = shared(ray_grid(pictures.camera), folder.string() + ": camera " + pictures.camera.name);
     for (const fs::path& file : pictures.files)
       set.images.push_back({file, file.lexically_relative(folder).string(), "KITTI " + pictures.camera.name,
-                            truth, rays, static_cast<int>(set.images.size())});
+                            pictures.camera, rays, static_cast<int>(set.images.size())});
   }
   return set;
 }
 
 EvaluationSet picture_evaluation_set(const fs::path& folder, const CalibratedCamera& camera) {
   EvaluationSet set{.name = "pictures in " + folder.string(), .images = {}};
-  const Calibration truth{camera.pinhole, camera.distortion};
-  const auto rays = shared(ray_grid(truth), "camera " + camera.name);
+  const auto rays = shared(ray_grid(camera), "camera " + camera.name);
   for (const fs::path& file : pictures_in(folder))
     set.images.push_back(
-        {file, file.filename().string(), camera.name, truth, rays, static_cast<int>(set.images.size())});
+        {file, file.filename().string(), camera.name, camera, rays, static_cast<int>(set.images.size())});
   return set;
 }
 

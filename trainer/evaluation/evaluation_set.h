@@ -11,30 +11,31 @@
 
 namespace cps {
 
-/// Pictures whose lens is known, wherever they come from.
+/// A picture whose camera is known.
 struct EvaluationImage {
   std::filesystem::path file;
-  std::string name;    ///< for people: the file, relative to its set
-  std::string camera;  ///< rig camera, or whatever its source calls it
-  Calibration truth;
+  std::string name;    ///< for display: the file, relative to its set
+  std::string camera;  ///< name of the rig camera, or the name in its source
+  CalibratedCamera truth;
   std::shared_ptr<const RayGrid> rays;  ///< of the truth
-  int cluster = 0;                      ///< images of one place share theirs: see bootstrap_intervals()
+  int cluster = 0;                      ///< equal for images of one place: see bootstrap_intervals()
 };
 
+/// Pictures to measure a network on.
 struct EvaluationSet {
   std::string name;
   std::vector<EvaluationImage> images;
 };
 
-/// A part of a CPS dataset. Images of one set with one number show one place and are a cluster. Throws
-/// std::runtime_error with one line when the part is empty or a label's lens is not one-to-one.
+/// One part of a CPS dataset. Images with the same number in the same set folder show one place and form a
+/// cluster. Throws std::runtime_error with one line if the part is empty or a label's lens is not one-to-one.
 EvaluationSet evaluation_set(const Dataset& dataset, Part part);
 
-/// kitti_raw() of a folder. Every frame is a cluster.
+/// The frames that kitti_raw() finds in a folder. Every frame is a cluster of its own.
 EvaluationSet kitti_evaluation_set(const std::filesystem::path& folder);
 
-/// The pictures in a folder (not below it), in the order of their names, all of this camera. Every picture is
-/// a cluster.
+/// The pictures in a folder (not in its subfolders), in the order of their names, all taken by this camera.
+/// Every picture is a cluster of its own.
 EvaluationSet picture_evaluation_set(const std::filesystem::path& folder, const CalibratedCamera& camera);
 
 }  // namespace cps

@@ -32,7 +32,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return aa > 1e-18 * n && bb > 1e-18 * n ? ab / std::sqrt(aa * bb) : 0;
 }
 
-/// One field of all, where there is one.
+/// One field of all errors, where it has a value.
 template <typename Field>
 std::vector<double> values_of(std::span<const ImageErrors> errors, Field field) {
   std::vector<double> values;
@@ -48,28 +48,29 @@ double quantile(std::vector<double> values, double q) {
   std::ranges::sort(values);
   const double place = q * static_cast<double>(values.size() - 1);
   const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, values.size() - 1);
-  if (values[below] == values[above]) return values[below];  // infinite ones, too
+  if (values[below] == values[above]) return values[below];  // also where both are infinite
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
-ImageErrors image_errors(const LensVerdict& verdict) {
-  const Pinhole& camera = verdict.truth->camera;
-  const Outputs truth = to_outputs(*verdict.truth, TargetSpace::raw);
+ImageErrors image_errors(const LensPrediction& prediction) {
+  const Pinhole& camera = prediction.truth->pinhole;
+  const Outputs truth = to_outputs(*prediction.truth, TargetSpace::raw);
   ImageErrors e;
-  e.raw = difference(verdict.said, truth);
-  e.apparent =
-      difference(convert(verdict.said, TargetSpace::raw, TargetSpace::apparent, camera.width, camera.height),
-                 to_outputs(*verdict.truth, TargetSpace::apparent));
+  e.raw = difference(prediction.predicted, truth);
+  e.apparent = difference(
+      convert(prediction.predicted, TargetSpace::raw, TargetSpace::apparent, camera.width, camera.height),
+      to_outputs(*prediction.truth, TargetSpace::apparent));
   e.hfov_deg = degrees(std::abs(e.raw[0]));
   e.principal_point = 2 * std::max(std::abs(e.raw[6]), std::abs(e.raw[7]));
   e.k1 = std::abs(e.raw[1]);
   e.focal = std::numeric_limits<double>::infinity();
 
-  const auto said = to_calibration(verdict.said, TargetSpace::raw, camera.width, camera.height);
-  if (!said) return e;
-  e.focal = std::max(std::abs(said->camera.fx / camera.fx - 1), std::abs(said->camera.fy / camera.fy - 1));
-  e.reprojection_px = reprojection_error_px(*verdict.rays, *said);
-  e.angle_deg = angular_error_deg(*verdict.rays, *said);
+  const auto predicted = to_camera(prediction.predicted, TargetSpace::raw, camera.width, camera.height);
+  if (!predicted) return e;
+  e.focal = std::max(std::abs(predicted->pinhole.fx / camera.fx - 1),
+                     std::abs(predicted->pinhole.fy / camera.fy - 1));
+  e.reprojection_px = reprojection_error_px(*prediction.rays, *predicted);
+  e.angle_deg = angular_error_deg(*prediction.rays, *predicted);
   e.folds = !e.angle_deg;
   return e;
 }
@@ -78,10 +79,10 @@ LensErrors summarise(std::span<const ImageErrors> errors, std::span<const double
   LensErrors s;
   s.images = static_cast<int>(errors.size());
   const double n = std::max<double>(1, static_cast<double>(errors.size()));
-  std::vector<double> said_fov;
+  std::vector<double> predicted_fov;
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const ImageErrors& e = errors[k];
-    said_fov.push_back(true_fov_rad[k] + e.raw[0]);
+    predicted_fov.push_back(true_fov_rad[k] + e.raw[0]);
     for (int i = 0; i < output_count; ++i) {
       s.raw_mae[i] += std::abs(e.raw[i]) / n;
       s.raw_mse[i] += e.raw[i] * e.raw[i] / n;
@@ -100,7 +101,7 @@ LensErrors summarise(std::span<const ImageErrors> errors, std::span<const double
   const auto hfov = values_of(errors, [](const ImageErrors& e) { return std::optional(e.hfov_deg); });
   s.hfov_mean_deg = mean(hfov);
   s.hfov_median_deg = quantile(hfov, .5);
-  s.hfov_correlation = correlation({true_fov_rad.begin(), true_fov_rad.end()}, said_fov);
+  s.hfov_correlation = correlation({true_fov_rad.begin(), true_fov_rad.end()}, predicted_fov);
   s.focal_median =
       quantile(values_of(errors, [](const ImageErrors& e) { return std::optional(e.focal); }), .5);
   s.principal_point_mean =
@@ -116,12 +117,12 @@ LensErrors summarise(std::span<const ImageErrors> errors, std::span<const double
   return s;
 }
 
-LensErrors measure_errors(std::span<const LensVerdict> verdicts) {
+LensErrors measure_errors(std::span<const LensPrediction> predictions) {
   std::vector<ImageErrors> errors;
   std::vector<double> true_fov_rad;
-  for (const LensVerdict& verdict : verdicts) {
-    errors.push_back(image_errors(verdict));
-    true_fov_rad.push_back(hfov_rad(verdict.truth->camera));
+  for (const LensPrediction& prediction : predictions) {
+    errors.push_back(image_errors(prediction));
+    true_fov_rad.push_back(hfov_rad(prediction.truth->pinhole));
   }
   return summarise(errors, true_fov_rad);
 }

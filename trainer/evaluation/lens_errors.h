@@ -6,57 +6,62 @@
 #include <vector>
 
 #include "trainer/calibration/reprojection.h"
+#include "trainer/calibration/targets.h"
 
 namespace cps {
 
-/// One test image: what is true, and what was said of it.
-struct LensVerdict {
-  const Calibration* truth = nullptr;
+/// One test image: the true camera and the prediction.
+struct LensPrediction {
+  const CalibratedCamera* truth = nullptr;
   const RayGrid* rays = nullptr;  ///< ray_grid(*truth)
-  Outputs said{};                 ///< in raw space
+  Outputs predicted{};            ///< in raw space
 };
 
-/// How wrong one prediction is.
+/// Errors of one prediction.
 struct ImageErrors {
-  Outputs raw{}, apparent{};  ///< said − true; raw as published: fov in radians, cx/w, cy/h
-  double hfov_deg = 0;        ///< |said − true|
+  Outputs raw{}, apparent{};  ///< predicted − true; raw as published: fov in radians, cx/w, cy/h
+  double hfov_deg = 0;        ///< |predicted − true|
   /// Zhu et al. 2023 (WildCamera): max(|Δfx|/fx, |Δfy|/fy), and 2·max(|Δcx|/w, |Δcy|/h). The first is
-  /// infinite where the prediction is no camera.
+  /// infinite if the prediction is not a camera.
   double focal = 0, principal_point = 0;
   double k1 = 0;                          ///< |Δk1|
-  std::optional<double> reprojection_px;  ///< empty: no camera (H-FOV outside 0…180°)
-  std::optional<double> angle_deg;        ///< mean angle between the true ray of a pixel and the
-                                          ///< predicted one; empty: no camera, or one that folds
+  std::optional<double> reprojection_px;  ///< empty: not a camera (H-FOV outside 0…180°)
+  std::optional<double> angle_deg;        ///< mean angle between the true and the predicted ray of
+                                          ///< a pixel; empty: not a camera, or its lens folds
   bool folds = false;                     ///< not one-to-one in its frame
 };
 
-ImageErrors image_errors(const LensVerdict& verdict);
+/// Compares one prediction with the truth.
+ImageErrors image_errors(const LensPrediction& prediction);
 
-/// How wrong a set of predictions is.
+/// Errors over a set of predictions.
 struct LensErrors {
   int images = 0;
   Outputs raw_mae{}, raw_mse{}, raw_rmse{};
   /// Coefficients scaled by the half diagonal: comparable across H-FOV.
   Outputs apparent_mae{}, apparent_rmse{};
   double hfov_mean_deg = 0, hfov_median_deg = 0;
-  /// Area under the share of images within an error, from 0 to the threshold, as a share of the threshold
-  /// (Sarlin et al. 2020; GeoCalib): the mean of max(0, 1 − error / threshold).
+  /// Area under the curve of the fraction of images within an error, from 0 to the threshold, divided by the
+  /// threshold (Sarlin et al. 2020; GeoCalib): the mean of max(0, 1 − error / threshold).
   static constexpr std::array<double, 3> auc_thresholds_deg{1, 5, 10};
   std::array<double, 3> hfov_auc{};
-  double hfov_correlation = 0;  ///< Pearson's, of said and true H-FOV; 0 where either does not vary
+  double hfov_correlation = 0;  ///< Pearson's, of predicted and true H-FOV; 0 if either is constant
   double focal_median = 0, principal_point_mean = 0, k1_mean = 0;
-  double reprojection_mean_px = 0, reprojection_median_px = 0, reprojection_p95_px = 0;  ///< over the rest
+  double reprojection_mean_px = 0, reprojection_median_px = 0,
+         reprojection_p95_px = 0;                   ///< over the predictions that are cameras
   double angle_mean_deg = 0, angle_median_deg = 0;  ///< over the one-to-one predictions
-  int without_camera = 0;  ///< predictions that are no camera (H-FOV outside 0…180°): no reprojection error
-  int folding = 0;  ///< predicted lenses that are not one-to-one in their frame; counted, never repaired
+  int without_camera =
+      0;            ///< predictions that are not a camera (H-FOV outside 0…180°): no reprojection error
+  int folding = 0;  ///< predicted lenses that are not one-to-one in their frame; measured as they are
 };
 
 /// Quantile q of a sample, by linear interpolation between order statistics; 0 for an empty one.
 double quantile(std::vector<double> values, double q);
 
-/// `true_fov_rad` and errors, image by image.
+/// Means, medians and quantiles of the errors. Entry i of both arguments belongs to image i.
 LensErrors summarise(std::span<const ImageErrors> errors, std::span<const double> true_fov_rad);
 
-LensErrors measure_errors(std::span<const LensVerdict> verdicts);
+/// image_errors() of each prediction, summarised.
+LensErrors measure_errors(std::span<const LensPrediction> predictions);
 
 }  // namespace cps

@@ -12,36 +12,38 @@
 
 namespace cps {
 
-/// What a network says of one image.
+/// The prediction of a network for one image.
 struct ImagePrediction {
   std::filesystem::path file;
-  ImageSize size;                            ///< the image's own
+  ImageSize size;                            ///< of the image file
   Outputs raw{};                             ///< TargetSpace::raw
-  std::optional<Calibration> calibration{};  ///< empty: the numbers are no camera
+  std::optional<CalibratedCamera> camera{};  ///< named after the file; empty: the H-FOV is outside 0…180°
   bool is_one_to_one = false;                ///< false: the predicted lens folds inside its frame
-  Outputs spread{};                          ///< raw; see PredictOptions::looks
-  std::optional<CertifiedLens> certified{};  ///< pull_to_certified(*calibration)
-  std::optional<Calibration> truth{};        ///< of calibration.json beside the image
+  Outputs spread{};                          ///< raw; see PredictOptions::variants
+  std::optional<CertifiedLens> certified{};  ///< pull_to_certified(*camera)
+  std::optional<CalibratedCamera> truth{};   ///< from calibration.json beside the image
   std::optional<double> reprojection_px{};   ///< error against the truth
 };
 
+/// How to predict.
 struct PredictOptions {
-  /// Further looks at each image, label-safe changes of it (augmented(), every second one mirrored): `spread`
-  /// is the standard deviation of what the network says of them. It tells how firm a prediction is, not how
-  /// far it is from the truth. 0: none.
-  int looks = 8;
-  std::uint64_t seed = 0;  ///< of the looks
+  /// Variants of each image (augmented(), every second one mirrored) whose predictions are compared: `spread`
+  /// is the standard deviation over them. It measures how stable a prediction is, not how far it is from the
+  /// truth. 0: none.
+  int variants = 8;
+  std::uint64_t seed = 0;  ///< of the random changes that make the variants
 };
 
-/// In the order of `files`. Throws std::runtime_error with one line when an image cannot be read, or a
-/// calibration.json beside it is wrong or says another size.
+/// Runs the network on image files; results are in the order of `files`. Throws std::runtime_error with one
+/// line if an image cannot be read, or a calibration.json beside it is invalid or of another image size.
 std::vector<ImagePrediction> predict_images(const Predictor& predictor,
                                             std::span<const std::filesystem::path> files,
                                             const PredictOptions& options = {});
 
-/// Aligned, one image after the other; the truth in a second column.
+/// A table for each image, with the truth in a column of its own.
 std::string report(std::span<const ImagePrediction> predictions);
 
+/// The predictions as a JSON array.
 nlohmann::ordered_json to_json(std::span<const ImagePrediction> predictions);
 
 }  // namespace cps

@@ -41,24 +41,25 @@ RobustnessRow measure(const Predictor& predictor, const EvaluationSet& set, std:
   const TrainOptions& options = card.options;
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const Pinhole& camera = set.images[i].truth.camera;
+    const Pinhole& camera = set.images[i].truth.pinhole;
     batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
   }
-  const std::vector<Outputs> said = predictor(batch);
+  const std::vector<Outputs> predicted = predictor(batch);
   RobustnessRow row{.name = name};
-  std::vector<LensVerdict> verdicts;
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    const Calibration& truth = set.images[i].truth;
-    const Outputs a = standardise(said[i], card.targets),
+  std::vector<LensPrediction> predictions;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const CalibratedCamera& truth = set.images[i].truth;
+    const Outputs a = standardise(predicted[i], card.targets),
                   b = standardise(to_outputs(truth, options.target_space), card.targets);
     for (int k = 0; k < output_count; ++k)
       if (std::ranges::find(options.outputs, output_names[k]) != options.outputs.end())
-        row.loss += (a[k] - b[k]) * (a[k] - b[k]) / static_cast<double>(options.outputs.size() * said.size());
-    verdicts.push_back(
-        {&truth, set.images[i].rays.get(),
-         convert(said[i], options.target_space, TargetSpace::raw, truth.camera.width, truth.camera.height)});
+        row.loss +=
+            (a[k] - b[k]) * (a[k] - b[k]) / static_cast<double>(options.outputs.size() * predicted.size());
+    predictions.push_back({&truth, set.images[i].rays.get(),
+                           convert(predicted[i], options.target_space, TargetSpace::raw, truth.pinhole.width,
+                                   truth.pinhole.height)});
   }
-  const LensErrors errors = measure_errors(verdicts);
+  const LensErrors errors = measure_errors(predictions);
   row.hfov_mean_deg = errors.hfov_mean_deg;
   row.reprojection_mean_px = errors.reprojection_mean_px;
   return row;
@@ -70,10 +71,10 @@ std::vector<RobustnessRow> robustness(const Predictor& predictor, const Evaluati
                                       std::span<const GrayImage> images, std::uint64_t seed) {
   std::vector<RobustnessRow> rows;
   for (const Corruption& corruption : corruptions()) {
-    std::vector<GrayImage> spoilt(images.begin(), images.end());
+    std::vector<GrayImage> corrupted(images.begin(), images.end());
     const Stream stream = make_stream(seed, corruption.name);
-    for (std::size_t i = 0; i < spoilt.size(); ++i) corruption.apply(spoilt[i], substream(stream, i));
-    rows.push_back(measure(predictor, set, spoilt, corruption.name));
+    for (std::size_t i = 0; i < corrupted.size(); ++i) corruption.apply(corrupted[i], substream(stream, i));
+    rows.push_back(measure(predictor, set, corrupted, corruption.name));
   }
   return rows;
 }

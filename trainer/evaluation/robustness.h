@@ -10,16 +10,16 @@
 
 namespace cps {
 
-/// How a network does when its images are spoilt.
+/// A network's errors under one kind of image corruption.
 struct RobustnessRow {
   std::string name;  ///< "Gaussian blur, 2 px"
-  double loss = 0;   ///< mean squared error of the learned outputs, standardised: 1 is what the training mean
-                     ///< scores on the training set
+  double loss = 0;  ///< mean squared error of the learned outputs, standardised: predicting the training mean
+                    ///< scores 1 on the training set
   double hfov_mean_deg = 0, reprojection_mean_px = 0;
 };
 
-/// The images as they are, then under each corruption of trainer/images/corruptions.h at its strengths;
-/// pixels are the network's. `images` belong to set.images.
+/// Measures the errors on the images as they are, then under each corruption of the table in robustness.cpp.
+/// Entry i of `images` is set.images[i], reduced for the network; lengths are in its pixels.
 std::vector<RobustnessRow> robustness(const Predictor& predictor, const EvaluationSet& set,
                                       std::span<const GrayImage> images, std::uint64_t seed);
 

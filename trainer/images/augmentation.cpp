@@ -14,23 +14,18 @@ double log_uniform(Stream stream, std::uint64_t index, double max) {
 
 }  // namespace
 
-bool Augmentation::is_valid(std::string* why) const {
-  const auto refuse = [&](const char* reason) {
-    if (why) *why = reason;
-    return false;
-  };
-  if (!(probability >= 0 && probability <= 1)) return refuse("augment: must lie in [0, 1]");
-  if (!(max_blur_sigma_px >= 0 && max_blur_sigma_px <= 20))
-    return refuse("max_blur_sigma_px: must lie in [0, 20]");
+std::string Augmentation::fault() const {
+  if (!(probability >= 0 && probability <= 1)) return "augment: must lie in [0, 1]";
+  if (!(max_blur_sigma_px >= 0 && max_blur_sigma_px <= 20)) return "max_blur_sigma_px: must lie in [0, 20]";
   if (!(max_motion_blur_px >= 0 && max_motion_blur_px <= 100))
-    return refuse("max_motion_blur_px: must lie in [0, 100]");
-  if (!(max_gamma >= 1 && max_gamma <= 10)) return refuse("max_gamma: must lie in [1, 10]");
-  if (!(max_iso_noise >= 0 && max_iso_noise <= 255)) return refuse("max_iso_noise: must lie in [0, 255]");
-  if (min_jpeg_quality < 1 || min_jpeg_quality > 100) return refuse("min_jpeg_quality: must lie in [1, 100]");
-  if (!(max_brightness >= 0 && max_brightness <= 255)) return refuse("max_brightness: must lie in [0, 255]");
-  if (!(max_contrast >= 1 && max_contrast <= 10)) return refuse("max_contrast: must lie in [1, 10]");
-  if (!(max_cutout >= 0 && max_cutout <= 1)) return refuse("max_cutout: must lie in [0, 1]");
-  return true;
+    return "max_motion_blur_px: must lie in [0, 100]";
+  if (!(max_gamma >= 1 && max_gamma <= 10)) return "max_gamma: must lie in [1, 10]";
+  if (!(max_iso_noise >= 0 && max_iso_noise <= 255)) return "max_iso_noise: must lie in [0, 255]";
+  if (min_jpeg_quality < 1 || min_jpeg_quality > 100) return "min_jpeg_quality: must lie in [1, 100]";
+  if (!(max_brightness >= 0 && max_brightness <= 255)) return "max_brightness: must lie in [0, 255]";
+  if (!(max_contrast >= 1 && max_contrast <= 10)) return "max_contrast: must lie in [1, 10]";
+  if (!(max_cutout >= 0 && max_cutout <= 1)) return "max_cutout: must lie in [0, 1]";
+  return "";
 }
 
 GrayImage augmented(const GrayView& view, const Augmentation& o, Stream stream) {

@@ -7,25 +7,26 @@
 
 namespace cps {
 
-/// Changes to a picture that leave its label exactly true: no pixel shows another point of the world than
-/// before. (Rotation, scaling, cropping, shearing, translation would each need another label, and are not on
-/// offer; nor is a lens effect of any kind.) Sizes are pixels of the network's image.
+/// Random changes to a training image that keep its label exact: every pixel still shows the same point of
+/// the world. (Rotation, scaling, cropping, shearing, translation and lens effects would change the label, so
+/// they are not offered.) Sizes are in pixels of the network's image.
 struct Augmentation {
-  double probability = 0;          ///< of each of the changes, on its own, per image and epoch; 0: none
+  double probability = 0;          ///< of each change, independently, per image and epoch; 0: none
   double max_blur_sigma_px = 1.2;  ///< Gaussian blur
-  double max_motion_blur_px = 6;   ///< length of a straight, centred streak
-  double max_gamma = 1.6;          ///< exponent, log-uniform in [1/max, max]
-  double max_iso_noise = 12;       ///< standard deviation at white, of 255
+  double max_motion_blur_px = 6;   ///< length of a straight streak, centred on the pixel
+  double max_gamma = 1.6;          ///< largest exponent; drawn log-uniform in [1/max, max]
+  double max_iso_noise = 12;       ///< largest standard deviation at white, in 8-bit steps
   int min_jpeg_quality = 35;
-  double max_brightness = 30;  ///< added or taken, of 255
-  double max_contrast = 1.4;   ///< about the middle, log-uniform in [1/max, max]
-  double max_cutout = 0.25;    ///< sides of one gray rectangle, as a share of the image's
+  double max_brightness = 30;  ///< largest amount added or subtracted, in 8-bit steps
+  double max_contrast = 1.4;   ///< largest factor about mid-grey; drawn log-uniform in [1/max, max]
+  double max_cutout = 0.25;    ///< largest sides of one gray rectangle, as a fraction of the image's
 
-  bool is_valid(std::string* why) const;
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
   bool operator==(const Augmentation&) const = default;
 };
 
-/// The image as the network sees it in training: a pure function of the image, the options and `stream`.
+/// The image after the random changes: a pure function of the image, the options and `stream`.
 GrayImage augmented(const GrayView& image, const Augmentation& options, Stream stream);
 
 }  // namespace cps

@@ -8,26 +8,26 @@
 
 namespace cps {
 
-/// One image on its way into a batch.
+/// One image of a batch, before it becomes part of a tensor.
 struct BatchImage {
   GrayView gray;
-  ImageSize original;
-  bool mirror = false;
+  ImageSize original;   ///< before reduction
+  bool mirror = false;  ///< flip left to right
 };
 
-/// Indices of the images of one batch; all have the same size.
+/// Indices of the images of one batch, which all have the same size.
 using Batch = std::vector<int>;
 
-/// Every image exactly once, in batches of one size and at most `batch_size` images. Within a size, batches
-/// differ by at most one image (batch normalisation wants no stragglers); the sizes take turns in proportion
-/// to their numbers. The order is a pure function of (sizes, batch_size, seed, epoch).
+/// Splits the images into batches: each image once, one image size per batch, at most `batch_size` images.
+/// Batches of one size differ by at most one image, because batch normalisation needs no small last batch;
+/// different sizes alternate in proportion to their counts. A pure function of its arguments.
 std::vector<Batch> shuffled_batches(std::span<const ImageSize> sizes, int batch_size, std::uint64_t seed,
                                     int epoch);
 
-/// The same without shuffling, for evaluation.
+/// The same in the given order, for evaluation.
 std::vector<Batch> ordered_batches(std::span<const ImageSize> sizes, int batch_size);
 
-/// Whether `image` is seen mirrored in this epoch: a fair coin, the same on every machine.
+/// Whether `image` is mirrored in this epoch: true with probability 1/2, the same on every machine.
 bool is_mirrored(std::uint64_t seed, int epoch, int image);
 
 }  // namespace cps

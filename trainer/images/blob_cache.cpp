@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file: the key, padded; a checksum per blob, 0 where it is not made yet; the blobs.
+/// The file: the key, padded; a checksum per blob, 0 if it is not computed yet; the blobs.
 struct Layout {
   std::string key;
   std::vector<std::size_t> sizes, offsets;
@@ -56,7 +56,7 @@ bool is_made(const std::uint8_t* memory, const Layout& layout, std::size_t i) {
   return stored != 0 && stored == checksum({memory + layout.offsets[i], layout.sizes[i]});
 }
 
-/// Makes what is not made. Returns how many that were.
+/// Computes the missing blobs. Returns how many there were.
 int make_missing(std::uint8_t* memory, const Layout& layout,
                  const std::function<void(std::size_t, std::span<std::uint8_t>)>& fill) {
   std::vector<std::string> reasons(layout.sizes.size());
@@ -89,7 +89,7 @@ int make_missing(std::uint8_t* memory, const Layout& layout,
   throw std::runtime_error(file.string() + ": cannot be written: " + std::strerror(error));
 }
 
-/// The whole file as memory, if it has the layout's key and length; else null.
+/// Maps the whole file, if it has the layout's key and length; otherwise null.
 std::shared_ptr<std::uint8_t> map_file(const fs::path& file, const Layout& layout, bool to_write) {
   const int descriptor = open(file.c_str(), (to_write ? O_RDWR : O_RDONLY) | O_CLOEXEC);
   if (descriptor < 0) return nullptr;
@@ -105,11 +105,11 @@ std::shared_ptr<std::uint8_t> map_file(const fs::path& file, const Layout& layou
   return std::memcmp(mapped.get(), layout.key.data(), layout.key.size()) == 0 ? mapped : nullptr;
 }
 
-/// An empty file of this layout: all blobs to be made.
+/// Creates the file with no blob computed.
 void start_file(const fs::path& file, const Layout& layout) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0) cannot_be_written(file, errno);
-  // Room is asked for now: a mapped page that the disk has no room for would end the process.
+  // Reserve the space now: writing to a mapped page on a full disk would kill the process.
   int error = posix_fallocate(descriptor, 0, static_cast<off_t>(layout.length));
   if (error == 0 &&
       pwrite(descriptor, layout.key.data(), layout.key.size(), 0) != static_cast<ssize_t>(layout.key.size()))
@@ -121,12 +121,13 @@ void start_file(const fs::path& file, const Layout& layout) {
   }
 }
 
-/// Makes the file whole. Returns how many blobs had to be made.
+/// Completes the file. Returns how many blobs had to be computed.
 int make_file(const fs::path& file, const Layout& layout,
               const std::function<void(std::size_t, std::span<std::uint8_t>)>& fill) {
   const fs::path partial = file.string() + ".partial";
   const FileLock lock(file.string() + ".lock", FileLock::Kind::exclusive);
-  if (!lock.is_held()) throw HeldByAnother(file.string() + ": is being made by another process; wait for it");
+  if (!lock.is_held())
+    throw HeldByAnother(file.string() + ": is being written by another process: wait for it");
   if (fs::exists(file)) fs::rename(file, partial);  // damaged, or of another key
   auto memory = map_file(partial, layout, true);
   if (!memory) {

@@ -6,7 +6,8 @@
 
 namespace cps {
 
-/// 16 hex digits over the image lists and every label number: the same for the same dataset wherever it lies.
+/// SHA-256, in lower-case hex, of every label number and of the image lists. Does not depend on where the
+/// dataset lies.
 std::string dataset_fingerprint(const Dataset& dataset);
 
 }  // namespace cps

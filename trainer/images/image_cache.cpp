@@ -11,9 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the pixels depend on. Files that are missing have no size; decoding them says so.
+/// Everything that the pixels depend on. A missing file has no size here; decoding it reports the error.
 std::string cache_key(const Dataset& dataset, std::span<const int> images, const Reduction& reduction) {
-  std::string key = "cps gray images 2\ndataset " + dataset_fingerprint(dataset) + "\nwidth " +
+  std::string key = "cps gray images 3\ndataset " + dataset_fingerprint(dataset) + "\nwidth " +
                     std::to_string(reduction.width) + " factor " + std::to_string(reduction.factor) + "\n";
   for (int i : images) {
     const fs::path file = dataset.root / dataset.images[i].file;

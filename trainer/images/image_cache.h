@@ -12,19 +12,19 @@
 
 namespace cps {
 
-/// The reduced gray images of (a part of) a dataset. Decoding PNG costs several times more than everything
-/// else a training step does with an image, so it is done once.
+/// The reduced gray images of (a part of) a dataset. Decoding a PNG takes several times longer than
+/// everything else that a training step does to prepare an image, so it is done once.
 struct ImageCache {
-  std::vector<GrayView> images;                ///< in the order of the list they were asked for in
+  std::vector<GrayView> images;                ///< in the order of the requested list
   std::vector<ImageSize> originals;            ///< sizes before reduction
-  int decoded = 0;                             ///< how many were not found ready on disk
+  int decoded = 0;                             ///< how many were not found in the cache file
   std::shared_ptr<const std::uint8_t> memory;  ///< what the views point into
 };
 
-/// Images `images` (indices into dataset.images), from `file` when it holds exactly these images of this
-/// dataset, with sizes and modification times unchanged, at this reduction; else decoded, as
-/// load_blob_cache() makes things. Throws BadBlobs for those that are missing, corrupt, or not of their
-/// label's size, and as load_blob_cache() does.
+/// Loads the images `images` (indices into dataset.images) from `file` if it holds exactly these images of
+/// this dataset at this reduction and their files' sizes and modification times are unchanged; otherwise
+/// decodes them and writes `file`, see load_blob_cache(). Throws BadBlobs for images that are missing,
+/// corrupt, or not of their label's size, and whatever load_blob_cache() throws.
 ImageCache load_image_cache(const Dataset& dataset, std::span<const int> images, const Reduction& reduction,
                             const std::filesystem::path& file);
 

@@ -1,3 +1,6 @@
+// A transform of our own rather than a round trip through libjpeg-turbo: entropy coding would take most of
+// the time, and the pixels, and with them a trained model's weights, would depend on the installed library. A
+// test compares the result with libjpeg's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +20,7 @@ constexpr std::array<int, side * side> luminance_table{
     69, 56,  14,  17, 22, 29, 51, 87, 80,  62,  18,  22,  37, 56, 68, 109, 103, 77,  24,  35, 55, 64,
     81, 104, 113, 92, 49, 64, 78, 87, 103, 121, 120, 101, 72, 92, 95, 98,  112, 100, 103, 99};
 
-/// Steps of quantisation at a quality of 1…100 (libjpeg's jpeg_quality_scaling).
+/// Quantisation steps at a quality of 1…100 (libjpeg's jpeg_quality_scaling).
 Block quantisation_steps(int quality) {
   const int scale = quality < 50 ? 5000 / quality : 200 - 2 * quality;
   Block steps;
@@ -36,7 +39,7 @@ Block cosines() {
   return c;
 }
 
-/// a·b, either of them transposed first.
+/// The matrix product a·b, each factor transposed first if asked.
 Block product(const Block& a, bool transpose_a, const Block& b, bool transpose_b) {
   Block result;
   for (int i = 0; i < side; ++i)
@@ -56,7 +59,7 @@ void compress_as_jpeg(GrayImage& image, int quality) {
   static const Block basis = cosines();
   const Block steps = quantisation_steps(quality);
   const auto [width, height] = image.size;
-  const auto index = [&](int x, int y) {  // blocks that overhang repeat the border
+  const auto index = [&](int x, int y) {  // blocks beyond the border repeat its pixels
     return static_cast<std::size_t>(std::min(y, height - 1)) * width + std::min(x, width - 1);
   };
   for (int y0 = 0; y0 < height; y0 += side)

@@ -7,7 +7,7 @@
 namespace cps {
 
 PixelStatistics pixel_statistics(std::span<const GrayView> images) {
-  std::uint64_t count = 0, sum = 0, squares = 0;  // exact, whatever the order
+  std::uint64_t count = 0, sum = 0, squares = 0;  // integers: exact in any order
   for (const GrayView& image : images) {
     const std::size_t n = static_cast<std::size_t>(image.size.width) * image.size.height;
     count += n;

@@ -49,8 +49,7 @@ ModelCard load_model_card(const std::filesystem::path& model_folder) {
     json.at("dataset").at("validation_images").get_to(card.validation_images);
     json.at("epoch").get_to(card.epoch);
     json.at("validation_loss").get_to(card.validation_loss);
-    std::string why;
-    if (!card.options.is_valid(&why)) throw std::runtime_error(why);
+    if (const std::string fault = card.options.fault(); !fault.empty()) throw std::runtime_error(fault);
     return card;
   } catch (const std::exception& e) {
     throw std::runtime_error(file.string() + ": " + e.what() + ": restore the file or train again");

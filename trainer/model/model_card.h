@@ -9,21 +9,23 @@
 
 namespace cps {
 
-/// Everything about a model but its weights: the model folder's model.json.
+/// Everything about a model except its weights: model.json in the model folder.
 struct ModelCard {
-  TrainOptions options;  ///< as trained: architecture, input size and target space among them
+  TrainOptions options;  ///< as trained, with architecture, input size and target space
   PixelStatistics pixels;
   Standardisation targets;   ///< in options.target_space
-  std::string dataset;       ///< where it was trained
+  std::string dataset;       ///< folder of the training data
   std::string dataset_hash;  ///< dataset_fingerprint() of it
   int training_images = 0, validation_images = 0;
-  int epoch = 0;               ///< whose weights are kept: the best on the validation set; 0: none yet
+  int epoch = 0;               ///< whose weights are kept, the best on the validation set; 0: none yet
   double validation_loss = 0;  ///< of that epoch
 };
 
+/// Writes model.json by atomic rename.
 void save_model_card(const ModelCard& card, const std::filesystem::path& model_folder);
 
-/// Throws std::runtime_error with one line when model.json is missing or lacks something.
+/// Reads model.json. Throws std::runtime_error with one line if it is missing, incomplete, or of another
+/// schema.
 ModelCard load_model_card(const std::filesystem::path& model_folder);
 
 }  // namespace cps

@@ -1,22 +1,23 @@
 #include "trainer/model/predictor.h"
 
+#include "trainer/model/make_network.h"
 #include "trainer/network/inference.h"
-#include "trainer/training/training_state.h"
+#include "trainer/network/weights.h"
 
 namespace cps {
 
 Predictor::Predictor(const std::filesystem::path& model_folder, Device device)
     : card_(load_model_card(model_folder)) {
-  network_ = make_resnet(*find_architecture(card_.options.architecture), network_options(card_.options));
+  network_ = make_network(card_.options);
   const std::filesystem::path file = model_folder / "weights.pt";
   set_weights(*network_, load_tensors(file), file);
   network_->to(to_torch(device));
 }
 
 std::vector<Outputs> Predictor::operator()(std::span<const BatchImage> images) const {
-  std::vector<Outputs> said = run_network(*network_, images, card_.pixels, card_.options.batch_size);
-  for (Outputs& outputs : said) outputs = unstandardise(outputs, card_.targets);
-  return said;
+  std::vector<Outputs> predicted = run_network(*network_, images, card_.pixels, card_.options.batch_size);
+  for (Outputs& outputs : predicted) outputs = unstandardise(outputs, card_.targets);
+  return predicted;
 }
 
 }  // namespace cps

@@ -13,16 +13,16 @@ namespace cps {
 
 struct Network;
 
-/// A trained network, read from its model folder.
+/// A trained network, loaded from its model folder.
 class Predictor {
  public:
-  /// Throws std::runtime_error with one line when the folder holds no whole model.
+  /// Throws std::runtime_error with one line if the folder holds no complete model.
   explicit Predictor(const std::filesystem::path& model_folder, Device device = Device::cpu);
 
   const ModelCard& card() const { return card_; }
 
-  /// What the network says of each image, in the model's target space and natural units, in order. The images
-  /// must have been reduced by card().options.reduction; their sizes may differ.
+  /// Runs the network on the images. Returns its outputs for each, in order, in the model's target space and
+  /// natural units. The images must have been reduced by card().options.reduction; their sizes may differ.
   std::vector<Outputs> operator()(std::span<const BatchImage> images) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace cps {
 namespace {
 
-/// The options' names in a model, in their order.
+/// The options' names in model.json, in order.
 template <typename A, typename Visit>
 void for_each_augmentation_key(A& a, Visit visit) {
   visit("probability", a.probability);
@@ -59,10 +59,10 @@ void for_each_key(O& o, Visit visit) {
   visit("minutes", o.minutes);
 }
 
-/// Options that models were trained without before there were any.
+/// Options added later: older models lack them.
 constexpr std::array later_keys{"online_lenses", "online_zoom", "edge_channel", "teacher", "teacher_weight"};
 
-/// Options as JSON holds them: enumerations by their words, the augmentation as an object of its own.
+/// An option as JSON: enumerations by name, the augmentation as an object of its own.
 template <typename T>
 nlohmann::ordered_json json_value(const T& value) {
   return value;
@@ -102,47 +102,42 @@ std::string to_string(Loss loss) {
 Loss loss_from_string(const std::string& word) {
   for (Loss loss : {Loss::mse, Loss::huber, Loss::reprojection})
     if (word == to_string(loss)) return loss;
-  throw std::runtime_error("loss '" + word + "': not known: say mse, huber or reprojection");
+  throw std::runtime_error("loss '" + word + "': unknown: use mse, huber or reprojection");
 }
 
-bool TrainOptions::is_valid(std::string* why) const {
-  const auto refuse = [&](const std::string& reason) {
-    if (why) *why = reason;
-    return false;
-  };
+std::string TrainOptions::fault() const {
   if (!find_architecture(architecture)) {
     std::string known;
     for (const Architecture& a : architectures()) known += " " + a.name;
-    return refuse("arch '" + architecture + "': not known: choose one of" + known);
+    return "arch '" + architecture + "': unknown: choose one of" + known;
   }
-  if (outputs.empty()) return refuse("outputs: name at least one");
+  if (outputs.empty()) return "outputs: name at least one";
   for (const std::string& name : outputs)
     if (std::ranges::find(output_names, name) == output_names.end())
-      return refuse("outputs: '" + name + "' is none of fov k1 k2 k3 p1 p2 cx cy");
+      return "outputs: '" + name + "' is none of fov k1 k2 k3 p1 p2 cx cy";
   if (loss == Loss::reprojection && outputs.size() != output_names.size())
-    return refuse("loss: reprojection needs all eight outputs");
-  if (reduction.factor < 0) return refuse("reduce: must not be negative");
-  if (reduction.factor == 0 && reduction.width < 32) return refuse("width: must be at least 32 pixels");
-  if (epochs < 1) return refuse("epochs: must be at least 1");
-  if (batch_size < 2) return refuse("batch: must be at least 2 (batch normalisation)");
-  if (batches_per_step < 1 || batches_per_step > 4096)
-    return refuse("batches-per-step: must lie in [1, 4096]");
-  if (!(learning_rate > 0 && learning_rate < 1)) return refuse("lr: must lie between 0 and 1");
-  if (!(weight_decay >= 0 && weight_decay < 1)) return refuse("weight-decay: must lie in [0, 1)");
-  if (!(warm_up_epochs >= 0)) return refuse("warm-up: must not be negative");
+    return "loss: reprojection needs all eight outputs";
+  if (reduction.factor < 0) return "reduce: must not be negative";
+  if (reduction.factor == 0 && reduction.width < 32) return "width: must be at least 32 pixels";
+  if (epochs < 1) return "epochs: must be at least 1";
+  if (batch_size < 2) return "batch: must be at least 2 (batch normalisation)";
+  if (batches_per_step < 1 || batches_per_step > 4096) return "batches-per-step: must lie in [1, 4096]";
+  if (!(learning_rate > 0 && learning_rate < 1)) return "lr: must lie between 0 and 1";
+  if (!(weight_decay >= 0 && weight_decay < 1)) return "weight-decay: must lie in [0, 1)";
+  if (!(warm_up_epochs >= 0)) return "warm-up: must not be negative";
   for (double m : milestones)
-    if (!(m > 0 && m <= 1)) return refuse("milestones: each must lie in (0, 1]");
-  if (!(decay > 0 && decay <= 1)) return refuse("decay: must lie in (0, 1]");
-  if (!(dropout >= 0 && dropout < 1)) return refuse("dropout: must lie in [0, 1)");
-  if (!(max_gradient >= 0)) return refuse("max-gradient: must not be negative");
-  if (!augmentation.is_valid(why)) return false;
-  if (!(online_zoom >= 1 && online_zoom <= 3)) return refuse("online-zoom: must lie in [1, 3]");
-  if (!(teacher_weight >= 0 && teacher_weight <= 1)) return refuse("teacher-weight: must lie in [0, 1]");
-  if (!(ema_decay >= 0 && ema_decay < 1)) return refuse("ema: must lie in [0, 1)");
-  if (patience < 0) return refuse("patience: must not be negative");
-  if (threads < 0) return refuse("threads: must not be negative");
-  if (!(minutes >= 0)) return refuse("minutes: must not be negative");
-  return true;
+    if (!(m > 0 && m <= 1)) return "milestones: each must lie in (0, 1]";
+  if (!(decay > 0 && decay <= 1)) return "decay: must lie in (0, 1]";
+  if (!(dropout >= 0 && dropout < 1)) return "dropout: must lie in [0, 1)";
+  if (!(max_gradient >= 0)) return "max-gradient: must not be negative";
+  if (const std::string fault = augmentation.fault(); !fault.empty()) return fault;
+  if (!(online_zoom >= 1 && online_zoom <= 3)) return "online-zoom: must lie in [1, 3]";
+  if (!(teacher_weight >= 0 && teacher_weight <= 1)) return "teacher-weight: must lie in [0, 1]";
+  if (!(ema_decay >= 0 && ema_decay < 1)) return "ema: must lie in [0, 1)";
+  if (patience < 0) return "patience: must not be negative";
+  if (threads < 0) return "threads: must not be negative";
+  if (!(minutes >= 0)) return "minutes: must not be negative";
+  return "";
 }
 
 nlohmann::ordered_json to_json(const TrainOptions& options) {

@@ -6,8 +6,8 @@
 namespace cps {
 namespace {
 
-/// The thesis' seven models, each what the one before it is but for what is named here. docs/models.md says
-/// what the thesis says and what we chose.
+/// The seven models of the thesis. Each differs from the one before it only in what is set here.
+/// docs/models.md says which values are the thesis' and which are our choice.
 std::vector<TrainPreset> thesis_presets() {
   TrainOptions o;
   o.architecture = "resnet50";
@@ -54,7 +54,7 @@ const TrainOptions& train_preset(const std::string& name) {
     if (preset.name == name) return preset.options;
     known += " " + preset.name;
   }
-  throw std::runtime_error("preset '" + name + "': not known: choose one of" + known);
+  throw std::runtime_error("preset '" + name + "': unknown: choose one of" + known);
 }
 
 }  // namespace cps

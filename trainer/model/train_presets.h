@@ -7,15 +7,16 @@
 
 namespace cps {
 
+/// Named options for `cps train --preset`.
 struct TrainPreset {
   std::string name, purpose;
   TrainOptions options;
 };
 
-/// To add one: a row in train_presets.cpp.
+/// All presets. To add one, add a row in train_presets.cpp.
 std::span<const TrainPreset> train_presets();
 
-/// Throws std::runtime_error that lists the known ones.
+/// The options of the preset of that name. Throws std::runtime_error that lists the known presets.
 const TrainOptions& train_preset(const std::string& name);
 
 }  // namespace cps

@@ -10,7 +10,7 @@ std::span<const Architecture> architectures() {
       {"resnet34", {3, 4, 6, 3}, false},
       {"resnet50", {3, 4, 6, 3}, true},
       {"resnet101", {3, 4, 23, 3}, true},
-      {"resnet34-nopool", {3, 4, 6, 3}, false, false},  // as the published CPS model's
+      {"resnet34-nopool", {3, 4, 6, 3}, false, false},  // the published CPS model's
   }};
   return family;
 }

@@ -6,18 +6,18 @@
 
 namespace cps {
 
-/// A member of the ResNet family (He et al. 2016, table 1), or a relative.
+/// A network of the ResNet family (He et al. 2016, table 1), or a variant.
 struct Architecture {
   std::string name;
   std::array<int, 4> blocks;  ///< in layer1 … layer4
-  bool bottleneck = false;    ///< 1×1, 3×3, 1×1 with four times the channels out, rather than 3×3, 3×3
-  bool max_pool = true;       ///< after the first convolution; without it every map is twice as large
+  bool bottleneck = false;    ///< blocks of 1×1, 3×3, 1×1 with fourfold output channels, not 3×3, 3×3
+  bool max_pool = true;       ///< after the first convolution; without it every feature map is twice as large
 };
 
-/// All that can be asked for by name.
+/// All known architectures.
 std::span<const Architecture> architectures();
 
-/// Null when there is none of that name.
+/// The architecture of that name; null if there is none.
 const Architecture* find_architecture(const std::string& name);
 
 }  // namespace cps

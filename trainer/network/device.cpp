@@ -11,7 +11,7 @@ Device device_from_string(const std::string& word) {
   if (word == "cpu") return Device::cpu;
   if (word != "cuda") throw std::runtime_error("device '" + word + "': must be cpu or cuda");
   if (!torch::cuda::is_available())
-    throw std::runtime_error("device 'cuda': this LibTorch sees no CUDA device: say cpu");
+    throw std::runtime_error("device 'cuda': LibTorch finds no CUDA device: use cpu");
   return Device::cuda;
 }
 

@@ -8,11 +8,11 @@ struct Device;
 
 namespace cps {
 
-/// What networks are computed on. Files hold what any device can go on with.
+/// Where networks are computed. Files hold CPU tensors, so any device can continue from them.
 enum class Device { cpu, cuda };
 
-/// "cpu" or "cuda". Throws std::runtime_error with one line on another word, and on "cuda" where LibTorch
-/// sees no such device.
+/// Parses "cpu" or "cuda". Throws std::runtime_error with one line on any other word, and on "cuda" if
+/// LibTorch finds no such device.
 Device device_from_string(const std::string& word);
 
 c10::Device to_torch(Device device);

@@ -14,11 +14,11 @@ std::vector<Outputs> run_network(Network& network, std::span<const BatchImage> i
   for (const Batch& batch : ordered_batches(sizes, batch_size)) {
     std::vector<BatchImage> members;
     for (int i : batch) members.push_back(images[i]);
-    const torch::Tensor said = network
-                                   .forward(image_tensor(members, statistics).to(network.device()),
-                                            size_tensor(members).to(network.device()))
-                                   .cpu();
-    const auto rows = said.accessor<float, 2>();
+    const torch::Tensor predicted = network
+                                        .forward(image_tensor(members, statistics).to(network.device()),
+                                                 size_tensor(members).to(network.device()))
+                                        .cpu();
+    const auto rows = predicted.accessor<float, 2>();
     for (std::size_t n = 0; n < batch.size(); ++n)
       for (int k = 0; k < output_count; ++k) outputs[batch[n]][k] = rows[n][k];
   }

@@ -9,8 +9,8 @@
 
 namespace cps {
 
-/// What `network` says about each image, standardised, in the images' order. Sizes may be mixed. Leaves the
-/// network in evaluation mode.
+/// Runs the network on the images. Returns its standardised outputs for each, in the images' order. Sizes may
+/// be mixed. Leaves the network in evaluation mode.
 std::vector<Outputs> run_network(Network& network, std::span<const BatchImage> images,
                                  const PixelStatistics& statistics, int batch_size);
 

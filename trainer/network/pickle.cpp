@@ -6,7 +6,7 @@
 namespace cps {
 namespace {
 
-/// The machine that pickle's instructions are for: a stack, marks in it, and a memo.
+/// The stack machine that a pickle is a program for: a stack, marks in it, and a memo.
 class Unpickler {
  public:
   explicit Unpickler(std::string_view bytes) : bytes_(bytes) {}
@@ -31,6 +31,12 @@ class Unpickler {
     for (int i = 0; i < count; ++i)
       value |= static_cast<std::uint64_t>(static_cast<unsigned char>(raw[i])) << 8 * i;
     return value;
+  }
+  /// Two's complement of `count` ≤ 8 bytes; no bytes are 0.
+  std::int64_t signed_number(int count) {
+    const int unused_bits = 64 - 8 * count;
+    if (count == 0) return 0;
+    return static_cast<std::int64_t>(number(count) << unused_bits) >> unused_bits;
   }
   std::string line() {
     const std::size_t end = bytes_.find('\n', at_);
@@ -113,12 +119,12 @@ class Unpickler {
         push(static_cast<std::int64_t>(number(2)));
         break;
       case 'J':
-        push(static_cast<std::int64_t>(static_cast<std::int32_t>(number(4))));
+        push(signed_number(4));
         break;
       case 0x8a: {  // LONG1
         const int count = static_cast<int>(number(1));
-        if (count > 8) throw std::runtime_error("its pickle holds a number that is too long");
-        push(static_cast<std::int64_t>(number(count)));
+        if (count > 8) throw std::runtime_error("its pickle holds a number of more than 64 bits");
+        push(signed_number(count));
         break;
       }
       case 'G': {  // big-endian double
@@ -212,7 +218,7 @@ class Unpickler {
         break;
       }
       default:
-        throw std::runtime_error("its pickle has an instruction that weights need not");
+        throw std::runtime_error("its pickle has an instruction that weight files do not need");
     }
   }
 

@@ -19,7 +19,7 @@ nn::Conv2d convolution(int in, int out, int kernel, int stride) {
   return nn::Conv2d(nn::Conv2dOptions(in, out, kernel).stride(stride).padding(kernel / 2).bias(false));
 }
 
-/// What the shortcut does where the shape changes; empty where it does not.
+/// The layers of a shortcut whose block changes the shape; empty if it does not.
 nn::Sequential projection(int in, int out, int stride) {
   if (stride == 1 && in == out) return nullptr;
   return nn::Sequential(convolution(in, out, 1, stride), nn::BatchNorm2d(out));
@@ -42,7 +42,7 @@ struct BasicBlock final : nn::Module {
     register_module("conv2", conv2);
     register_module("bn2", bn2);
     if (downsample) register_module("downsample", downsample);
-    nn::init::zeros_(bn2->weight);  // the block starts as the identity (Goyal et al. 2017)
+    nn::init::zeros_(bn2->weight);  // each block starts as the identity (Goyal et al. 2017)
   }
 
   Tensor forward(const Tensor& x) {

@@ -9,10 +9,11 @@
 
 namespace cps {
 
-/// [n, 1, h, w] float, (pixel − mean) / deviation. All images must have one size.
+/// The pixels, [n, 1, h, w] float, (pixel − mean) / deviation, flipped left to right where the image says so.
+/// All images must have one size.
 torch::Tensor image_tensor(std::span<const BatchImage> images, const PixelStatistics& statistics);
 
-/// [n, 2] float: height/2160, width/3840 of the originals.
+/// The size features, [n, 2] float: height/2160, width/3840 of the original images.
 torch::Tensor size_tensor(std::span<const BatchImage> images);
 
 }  // namespace cps

@@ -19,7 +19,7 @@ constexpr Storage storages[] = {{"FloatStorage", torch::kFloat},
                                 {"LongStorage", torch::kLong},
                                 {"ByteStorage", torch::kByte}};
 
-// Writing: protocol 2, as torch.save's.
+// Writing: pickle protocol 2, as torch.save does.
 
 void put(std::string& out, std::uint64_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 0xff);
@@ -48,7 +48,7 @@ void put_tensor(std::string& out, const torch::Tensor& tensor, const std::string
   const Storage* storage = nullptr;
   for (const Storage& s : storages)
     if (s.type == tensor.scalar_type()) storage = &s;
-  if (!storage) throw std::runtime_error("a tensor is of a kind that is not written");
+  if (!storage) throw std::runtime_error("a tensor has an element type that cannot be written");
   out += "ctorch._utils\n_rebuild_tensor_v2\n((";
   put_text(out, "storage");
   out += std::string("ctorch\n") + storage->name + "\n";
@@ -67,7 +67,7 @@ void put_tensor(std::string& out, const torch::Tensor& tensor, const std::string
 // Reading.
 
 [[noreturn]] void no_dictionary() {
-  throw std::runtime_error("is no dictionary of tensors");
+  throw std::runtime_error("is not a dictionary of tensors");
 }
 
 template <typename T>
@@ -94,7 +94,7 @@ torch::Tensor tensor_of(const PickleCall& call, const std::map<std::string, std:
   const Storage* storage = nullptr;
   for (const Storage& s : storages)
     if (type == std::string("torch ") + s.name) storage = &s;
-  if (!storage) throw std::runtime_error("holds numbers of a kind that is not read, " + type);
+  if (!storage) throw std::runtime_error("holds an element type that cannot be read, " + type);
   const auto data = entries.find(prefix + "data/" + as<std::string>(id[2]));
   if (data == entries.end()) no_dictionary();
 

@@ -10,14 +10,14 @@ namespace cps {
 
 using NamedTensors = std::map<std::string, torch::Tensor>;
 
-/// Writes a dictionary of tensors as Python's torch.save does: torch.load reads it, with weights_only=True,
-/// too. By atomic rename; the same tensors make the same bytes. Kinds of numbers: float, double, 64-bit and
-/// 8-bit integers.
+/// Writes a dictionary of tensors in the format of Python's torch.save; torch.load reads it, also with
+/// weights_only=True. By atomic rename. The same tensors give the same bytes. Element types: float, double,
+/// 64-bit integer, unsigned 8-bit integer; throws std::runtime_error on another.
 void save_tensors(const NamedTensors& tensors, const std::filesystem::path& file);
 
-/// Reads what save_tensors() or Python's torch.save (since PyTorch 1.6) wrote of a dictionary of tensors: a
-/// state_dict() as it is, torchvision's files among them. Nothing in the file is run. Entries that are no
-/// tensors are left out. Throws std::runtime_error with one line when the file is missing or is no such
+/// Reads a dictionary of tensors written by save_tensors() or by Python's torch.save (PyTorch 1.6 or newer),
+/// for instance a state_dict() of torchvision. Executes nothing in the file. Skips entries that are not
+/// tensors. Throws std::runtime_error with one line if the file is missing, damaged, or holds no such
 /// dictionary.
 NamedTensors load_tensors(const std::filesystem::path& file);
 

@@ -2,8 +2,8 @@
 
 namespace cps {
 
-/// Lets LibTorch compute on so many threads; 0: on every core that this process may run on. Left alone it
-/// takes one, and trains a quarter slower on two cores.
+/// Sets the number of LibTorch's threads; 0: all cores that this process may run on. LibTorch's default is
+/// one thread, with which training on two cores is a quarter slower.
 void use_threads(int threads);
 
 }  // namespace cps

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t local_header = 0x04034b50, central_header = 0x02014b50, end_record = 0x06054b50,
                         end_record_64 = 0x06064b50;
-constexpr std::uint32_t in_64 = 0xffffffff;  ///< a size or offset that stands in the extra field
+constexpr std::uint32_t in_64 = 0xffffffff;  ///< marks a size or offset that is stored in the extra field
 
 void put(std::string& out, std::uint64_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 0xff);
@@ -30,12 +30,12 @@ std::string_view part(std::string_view bytes, std::size_t at, std::size_t length
   return bytes.substr(at, length);
 }
 
-/// Fields that both headers have: version, flags, method, time, date, CRC, two sizes.
+/// The fields common to both headers: version, flags, method, time, date, CRC, two sizes.
 void put_common(std::string& out, std::string_view data) {
   put(out, 20, 2);
   put(out, 0, 4);  // flags; method: stored
   put(out, 0, 2);
-  put(out, 0x21, 2);  // 1 January 1980: the same weights make the same bytes
+  put(out, 0x21, 2);  // 1 January 1980, always: the same weights give the same bytes
   put(out, libdeflate_crc32(0, data.data(), data.size()), 4);
   put(out, data.size(), 4);
   put(out, data.size(), 4);
@@ -43,17 +43,17 @@ void put_common(std::string& out, std::string_view data) {
 
 /// Number of entries and offset of the first central header.
 std::pair<std::uint64_t, std::uint64_t> directory(std::string_view bytes) {
-  const std::size_t least = 22, longest_comment = 65535;
-  for (std::size_t back = least; back <= bytes.size() && back <= least + longest_comment; ++back) {
+  const std::size_t min_size = 22, max_comment = 65535;
+  for (std::size_t back = min_size; back <= bytes.size() && back <= min_size + max_comment; ++back) {
     const std::size_t at = bytes.size() - back;
     if (get(bytes, at, 4) != end_record) continue;
     if (get(bytes, at + 16, 4) != in_64) return {get(bytes, at + 10, 2), get(bytes, at + 16, 4)};
-    const std::size_t locator = at - 20;  // of the record with 64-bit numbers
+    const std::size_t locator = at - 20;  // of the end record with 64-bit numbers
     const std::size_t at_64 = get(bytes, locator + 8, 8);
     if (get(bytes, at_64, 4) != end_record_64) break;
     return {get(bytes, at_64 + 32, 8), get(bytes, at_64 + 48, 8)};
   }
-  throw std::runtime_error("is no ZIP archive");
+  throw std::runtime_error("is not a ZIP archive");
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::string zip_stored(const std::vector<std::pair<std::string, std::string_view
     const std::size_t padding = (64 - (offset + 30 + name.size() + 4) % 64) % 64;
     put(out, 4 + padding, 2);
     out += name;
-    put(out, 0x4246, 2);  // PyTorch's name for its padding, "FB"
+    put(out, 0x4246, 2);  // the id of PyTorch's padding field, "FB"
     put(out, padding, 2);
     out.append(padding, 'Z');
     out += data;
@@ -103,7 +103,7 @@ std::map<std::string, std::string_view> unzip_stored(std::string_view bytes) {
                       comment_length = get(bytes, at + 32, 2);
     std::uint64_t length = get(bytes, at + 24, 4), offset = get(bytes, at + 42, 4);
     const std::string name(part(bytes, at + 46, name_length));
-    // Numbers that do not fit stand in the extra field 1, in this order: size, stored size, offset.
+    // Numbers that do not fit into 32 bits are in extra field 1, in this order: size, stored size, offset.
     std::size_t extra = at + 46 + name_length;
     for (const std::size_t end = extra + extra_length; extra + 4 <= end;) {
       const std::size_t kind = get(bytes, extra, 2), size = get(bytes, extra + 2, 2);
@@ -121,7 +121,7 @@ std::map<std::string, std::string_view> unzip_stored(std::string_view bytes) {
     const std::string_view content = part(bytes, data, length);
     if (libdeflate_crc32(0, content.data(), content.size()) != get(bytes, at + 16, 4))
       throw std::runtime_error("has a damaged entry, " + name);
-    entries[name] = content;
+    if (!entries.emplace(name, content).second) throw std::runtime_error("has two entries named " + name);
     at += 46 + name_length + extra_length + comment_length;
   }
   return entries;

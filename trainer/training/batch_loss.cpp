@@ -30,11 +30,11 @@ RayBatch ray_batch(const BatchTruth& truth) {
 
 }  // namespace
 
-torch::Tensor batch_loss(const torch::Tensor& said, const BatchTruth& truth, const ModelCard& card) {
+torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth, const ModelCard& card) {
   const TrainOptions& options = card.options;
   if (options.loss == Loss::reprojection)
-    return reprojection_loss(said, ray_batch(truth), options.target_space, card.targets);
-  return output_loss(options.loss, said, target_tensor(truth, card.targets), output_mask(options));
+    return reprojection_loss(predicted, ray_batch(truth), options.target_space, card.targets);
+  return output_loss(options.loss, predicted, target_tensor(truth, card.targets), output_mask(options));
 }
 
 }  // namespace cps

@@ -10,14 +10,14 @@
 
 namespace cps {
 
-/// The truth about the images of a batch, which have one size.
+/// The true values for the images of a batch, which all have one size.
 struct BatchTruth {
   ImageSize size;                                    ///< before reduction
   std::vector<Outputs> targets;                      ///< not standardised
   std::vector<std::shared_ptr<const RayGrid>> rays;  ///< for the reprojection loss only
 };
 
-/// The loss that the model is trained by, of what it says ([n, 8], standardised) of a batch.
-torch::Tensor batch_loss(const torch::Tensor& said, const BatchTruth& truth, const ModelCard& card);
+/// The training loss of a batch, as card.options define it. `predicted`: [n, 8], standardised.
+torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth, const ModelCard& card);
 
 }  // namespace cps

@@ -14,7 +14,7 @@ std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Devic
   const TrainOptions& its = teacher->card().options;
   if (its.reduction != student.reduction)
     throw std::runtime_error("teacher " + student.teacher +
-                             ": sees images of another size: train with its width and reduce");
+                             ": takes images of another size: train with its width and reduce");
   for (const std::string& name : student.outputs)
     if (std::ranges::find(its.outputs, name) == its.outputs.end())
       throw std::runtime_error("teacher " + student.teacher + ": has not learned " + name +
@@ -22,7 +22,7 @@ std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Devic
   return teacher;
 }
 
-torch::Tensor distillation_loss(const torch::Tensor& said, const Predictor& teacher,
+torch::Tensor distillation_loss(const torch::Tensor& predicted, const Predictor& teacher,
                                 std::span<const BatchImage> images, const ModelCard& student) {
   torch::Tensor wanted = torch::empty({static_cast<long>(images.size()), output_count});
   float* out = wanted.data_ptr<float>();
@@ -33,7 +33,7 @@ torch::Tensor distillation_loss(const torch::Tensor& said, const Predictor& teac
                                    student.options.target_space, size.width, size.height);
     for (double v : standardise(answer, student.targets)) *out++ = static_cast<float>(v);
   }
-  return output_loss(Loss::mse, said, wanted, output_mask(student.options));
+  return output_loss(Loss::mse, predicted, wanted, output_mask(student.options));
 }
 
 }  // namespace cps

@@ -42,7 +42,7 @@ BatchTruth truth_of(const Samples& samples, const Batch& batch) {
   return truth;
 }
 
-/// Of the outputs that are learned.
+/// Over the learned outputs.
 double cosine_similarity(const Outputs& a, const Outputs& b, const std::vector<int>& learned) {
   double ab = 0, aa = 0, bb = 0;
   for (int i : learned) {
@@ -60,11 +60,11 @@ std::vector<int> learned_outputs(const TrainOptions& options) {
   return learned;
 }
 
-torch::Tensor tensor_of(const std::vector<Outputs>& said, const Batch& batch) {
+torch::Tensor tensor_of(const std::vector<Outputs>& outputs, const Batch& batch) {
   torch::Tensor tensor = torch::empty({static_cast<long>(batch.size()), output_count});
   float* out = tensor.data_ptr<float>();
   for (int i : batch)
-    for (double v : said[i]) *out++ = static_cast<float>(v);
+    for (double v : outputs[i]) *out++ = static_cast<float>(v);
   return tensor;
 }
 
@@ -87,7 +87,7 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
     static_cast<torch::optim::AdamWOptions&>(state.optimizer->param_groups()[0].options())
         .lr(report.learning_rate);
 
-    std::optional<StepSums> sums;  // several processes share out several batches
+    std::optional<StepSums> sums;  // with several batches per step, the processes divide them
     if (per_step > 1) sums.emplace(*state.network);
     const std::size_t end = std::min(batches.size(), (step + 1) * per_step);
     for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
@@ -98,13 +98,14 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
       const std::vector<BatchImage> images = network_images(shown);
       const torch::Tensor pixels = image_tensor(images, card.pixels);
       loader_seconds += seconds_since(loading);
-      const torch::Tensor said = state.network->forward(pixels.to(device), size_tensor(images).to(device));
-      torch::Tensor loss = batch_loss(said, truth_of(shown), card);
+      const torch::Tensor predicted =
+          state.network->forward(pixels.to(device), size_tensor(images).to(device));
+      torch::Tensor loss = batch_loss(predicted, truth_of(shown), card);
       if (teacher) {
         const double share = options.teacher_weight;
-        loss = loss * (1 - share) + distillation_loss(said, *teacher, images, card) * share;
+        loss = loss * (1 - share) + distillation_loss(predicted, *teacher, images, card) * share;
       }
-      // Not zeros: backward() would have to be added to them.
+      // Reset rather than zeroed: backward() then stores gradients instead of adding them.
       for (torch::Tensor& parameter : parameters) parameter.mutable_grad().reset();
       loss.backward();
       const double loss_of_images = loss.item<double>() * static_cast<double>(batches[b].size());
@@ -130,18 +131,18 @@ void validate(Network& network, const Samples& samples, const ModelCard& card, E
   std::vector<BatchImage> images;
   for (std::size_t i = 0; i < samples.targets.size(); ++i)
     images.push_back({samples.cache.images[i], samples.cache.originals[i]});
-  const std::vector<Outputs> said = run_network(network, images, card.pixels, card.options.batch_size);
-  const double n = static_cast<double>(said.size());
+  const std::vector<Outputs> predicted = run_network(network, images, card.pixels, card.options.batch_size);
+  const double n = static_cast<double>(predicted.size());
   for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
     report.validation_loss +=
-        batch_loss(tensor_of(said, batch), truth_of(samples, batch), card).item<double>() *
+        batch_loss(tensor_of(predicted, batch), truth_of(samples, batch), card).item<double>() *
         static_cast<double>(batch.size()) / n;
   const std::vector<int> learned = learned_outputs(card.options);
-  for (std::size_t i = 0; i < said.size(); ++i) {
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
     const Outputs truth = standardise(samples.targets[i], card.targets);
-    report.validation_cosine += cosine_similarity(said[i], truth, learned) / n;
+    report.validation_cosine += cosine_similarity(predicted[i], truth, learned) / n;
     report.validation_hfov_mae_deg +=
-        degrees(std::abs(said[i][0] - truth[0]) * card.targets.deviation[0]) / n;
+        degrees(std::abs(predicted[i][0] - truth[0]) * card.targets.deviation[0]) / n;
   }
 }
 

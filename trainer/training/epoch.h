@@ -1,9 +1,9 @@
 #pragma once
 
 #include "trainer/model/model_card.h"
+#include "trainer/training/epoch_report.h"
 #include "trainer/training/ranks.h"
 #include "trainer/training/samples.h"
-#include "trainer/training/train.h"
 #include "trainer/training/training_set.h"
 #include "trainer/training/training_state.h"
 
@@ -11,15 +11,16 @@ namespace cps {
 
 class Predictor;
 
-/// One pass over the training images, in this epoch's order. A step takes the mean gradient of
-/// options.batches_per_step batches, each with its own batch normalisation; the processes share them out, and
-/// all end with the same weights. Statistics of batch normalisation are the mean of what each batch makes of
-/// them. `teacher` may be null. Fills in the report's learning rate, loss and rate; its epoch is given.
+/// Trains on each training image once, in this epoch's order. A step uses the mean gradient of
+/// options.batches_per_step batches, each with its own batch normalisation; the processes divide them and all
+/// get the same weights. The running statistics of batch normalisation are the mean over the step's batches.
+/// `teacher` may be null. report.epoch is given; sets the report's learning rate, training loss, rate and
+/// loader share.
 void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
                  const Predictor* teacher, const Ranks& ranks, EpochReport& report);
 
-/// What `network` scores on the validation images, not augmented and not mirrored: the report's validation
-/// numbers.
+/// Runs `network` on the validation images, neither augmented nor mirrored, and sets the report's validation
+/// results, which must be 0 before.
 void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report);
 
 }  // namespace cps

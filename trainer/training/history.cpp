@@ -1,6 +1,8 @@
 #include "trainer/training/history.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <array>
 
 #include "files/files.h"
 #include "files/plot.h"
@@ -8,13 +10,40 @@
 namespace cps {
 namespace {
 
+/// A column of history.csv.
+struct Column {
+  const char* name;
+  double EpochReport::*value;
+  int digits;  ///< significant
+};
+
+constexpr std::array columns{Column{"learning_rate", &EpochReport::learning_rate, 6},
+                             Column{"training_loss", &EpochReport::training_loss, 6},
+                             Column{"validation_loss", &EpochReport::validation_loss, 6},
+                             Column{"validation_cosine", &EpochReport::validation_cosine, 6},
+                             Column{"validation_hfov_mae_deg", &EpochReport::validation_hfov_mae_deg, 6},
+                             Column{"images_per_second", &EpochReport::images_per_second, 4},
+                             Column{"loader_share", &EpochReport::loader_share, 3}};
+
+std::string csv_of(const std::vector<EpochReport>& epochs) {
+  std::string csv = "epoch";
+  for (const Column& column : columns) csv += fmt::format(",{}", column.name);
+  csv += "\n";
+  for (const EpochReport& report : epochs) {
+    csv += fmt::format("{}", report.epoch);
+    for (const Column& column : columns) csv += fmt::format(",{:.{}g}", report.*column.value, column.digits);
+    csv += "\n";
+  }
+  return csv;
+}
+
 PlotSeries curve(const char* name, const std::vector<EpochReport>& epochs, double EpochReport::*value) {
   PlotSeries series{.name = name};
   for (const EpochReport& r : epochs) series.points.emplace_back(r.epoch, r.*value);
   return series;
 }
 
-std::string picture(const std::vector<EpochReport>& epochs) {
+std::string curves_of(const std::vector<EpochReport>& epochs) {
   const std::vector<Plot> plots{
       {.title = "loss",
        .x_label = "epoch",
@@ -36,18 +65,8 @@ std::string picture(const std::vector<EpochReport>& epochs) {
 }  // namespace
 
 void save_history(const std::vector<EpochReport>& epochs, const std::filesystem::path& model_folder) {
-  std::string csv =
-      "epoch,learning_rate,training_loss,validation_loss,validation_cosine,validation_hfov_mae_deg,images_"
-      "per_second,loader_share\n";
-  char line[256];
-  for (const EpochReport& r : epochs) {
-    std::snprintf(line, sizeof line, "%d,%.6g,%.6g,%.6g,%.6g,%.6g,%.4g,%.3g\n", r.epoch, r.learning_rate,
-                  r.training_loss, r.validation_loss, r.validation_cosine, r.validation_hfov_mae_deg,
-                  r.images_per_second, r.loader_share);
-    csv += line;
-  }
-  write_file(model_folder / "history.csv", csv);
-  write_file(model_folder / "history.svg", picture(epochs));
+  write_file(model_folder / "history.csv", csv_of(epochs));
+  write_file(model_folder / "history.svg", curves_of(epochs));
 }
 
 }  // namespace cps

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "trainer/training/train.h"
+#include "trainer/training/epoch_report.h"
 
 namespace cps {
 
-/// history.csv, one line an epoch, and history.svg, the curves of it, in the model's folder.
+/// Writes history.csv, one line per epoch, and history.svg, its curves, to the model folder.
 void save_history(const std::vector<EpochReport>& epochs, const std::filesystem::path& model_folder);
 
 }  // namespace cps

@@ -18,20 +18,20 @@ Tensor output_mask(const TrainOptions& options) {
   return mask;
 }
 
-Tensor output_loss(Loss loss, const Tensor& said, const Tensor& truth, const Tensor& learned) {
-  const Tensor targets = truth.to(said.device()), mask = learned.to(said.device());
-  const Tensor each = loss == Loss::huber ? torch::huber_loss(said, targets, at::Reduction::None, 1.0)
-                                          : (said - targets).square();
-  return (each * mask).sum() / (mask.sum() * said.size(0));
+Tensor output_loss(Loss loss, const Tensor& predicted, const Tensor& truth, const Tensor& learned) {
+  const Tensor targets = truth.to(predicted.device()), mask = learned.to(predicted.device());
+  const Tensor each = loss == Loss::huber ? torch::huber_loss(predicted, targets, at::Reduction::None, 1.0)
+                                          : (predicted - targets).square();
+  return (each * mask).sum() / (mask.sum() * predicted.size(0));
 }
 
-Tensor reprojection_loss(const Tensor& said, const RayBatch& rays, TargetSpace space,
+Tensor reprojection_loss(const Tensor& predicted, const RayBatch& rays, TargetSpace space,
                          const Standardisation& by) {
   const auto numbers = [&](const Outputs& values) {
     return torch::tensor(std::vector<double>(values.begin(), values.end()), torch::kDouble)
-        .to(said.options());
+        .to(predicted.options());
   };
-  const Tensor outputs = said * numbers(by.deviation) + numbers(by.mean);
+  const Tensor outputs = predicted * numbers(by.deviation) + numbers(by.mean);
   const auto output = [&](int i) { return outputs.select(1, i).unsqueeze(1); };  // [n, 1]
   const double one_degree = radians(1);
   const Tensor half_tangent = (output(0).clamp(one_degree, radians(179)) / 2).tan();
@@ -46,9 +46,10 @@ Tensor reprojection_loss(const Tensor& said, const RayBatch& rays, TargetSpace s
     p1 = p1 / r;
     p2 = p2 / r;
   }
-  const Tensor ideal = rays.ideal.to(said.device()), pixels = rays.pixels.to(said.device());
+  const Tensor ideal = rays.ideal.to(predicted.device()), pixels = rays.pixels.to(predicted.device());
   const Tensor x = ideal.select(2, 0), y = ideal.select(2, 1), s = x * x + y * y;
-  const Tensor stretch = 1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * x + p1 * y);  // as distort()
+  const Tensor stretch =
+      1 + s * (k1 + s * (k2 + s * k3)) + 2 * (p2 * x + p1 * y);  // evaluated like distort()
   const Tensor focal = rays.width / (2 * half_tangent);
   const Tensor dx = focal * (x * stretch + p2 * s) + output(6) * rays.width - pixels.select(2, 0),
                dy = focal * (y * stretch + p1 * s) + output(7) * rays.height - pixels.select(2, 1);

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "dataset/job/recipe_json.h"
+#include "distortion/label_algebra.h"
 #include "sensor/develop.h"
 #include "trainer/images/master_cache.h"
-#include "trainer/images/mirror.h"
 #include "trainer/training/online_lens.h"
 
 namespace cps {
@@ -37,11 +37,11 @@ struct OnlineImages {
     ShownImage image{.pixels = developed(i, lens, stream),
                      .original = {lens.crop.camera.width, lens.crop.camera.height},
                      .is_mirrored = options.mirror && is_mirrored(options.seed, epoch, i)};
-    Calibration calibration{lens.crop.camera, lens.distortion};
-    if (image.is_mirrored) calibration = mirrored(calibration);
-    image.target = to_outputs(calibration, options.target_space);
+    CalibratedCamera camera{"", lens.crop.camera, lens.distortion};
+    if (image.is_mirrored) camera = mirrored_left_right(camera);
+    image.target = to_outputs(camera, options.target_space);
     if (options.loss == Loss::reprojection)
-      image.rays = loss_rays(calibration, frame_on_plane(lens.base), cache.masters[i].file.string());
+      image.rays = loss_rays(camera, frame_on_plane(lens.base), cache.masters[i].file.string());
     return image;
   }
 };

@@ -29,13 +29,13 @@ const char* variable(const char* name, const char* other = nullptr) {
   return value || !other ? value : std::getenv(other);
 }
 
-int number(const char* name, const char* text, int least, int most) {
+int number(const char* name, const char* text, int min, int max) {
   int value = 0;
   const std::string_view word = text ? text : "";
   const auto [end, error] = std::from_chars(word.begin(), word.end(), value);
-  if (error != std::errc() || end != word.end() || word.empty() || value < least || value > most)
-    throw std::runtime_error(std::string(name) + ": must be a whole number from " + std::to_string(least) +
-                             " to " + std::to_string(most) + ", not '" + std::string(word) + "'");
+  if (error != std::errc() || end != word.end() || word.empty() || value < min || value > max)
+    throw std::runtime_error(std::string(name) + ": must be a whole number from " + std::to_string(min) +
+                             " to " + std::to_string(max) + ", not '" + std::string(word) + "'");
   return value;
 }
 
@@ -77,7 +77,7 @@ void Ranks::wait() const {
 
 Ranks join_ranks() {
   Ranks ranks;
-  // Slurm's count of the step, not of the job: a job's script is one process, whatever it may start.
+  // Slurm's count of the step, not of the job: the job's script itself is a single process.
   const char* count = variable("WORLD_SIZE", "SLURM_STEP_NUM_TASKS");
   if (!count) return ranks;
   ranks.count = number("WORLD_SIZE", count, 1, 4096);
@@ -93,7 +93,7 @@ Ranks join_ranks() {
                                             .isServer = ranks.rank == 0,
                                             .numWorkers = static_cast<std::size_t>(ranks.count),
                                             .timeout = std::chrono::minutes(5)});
-    // Long, for the others wait while the first decodes every image. A process that ends is noticed at once.
+    // Long, because the others wait while rank 0 decodes every image. A process that ends is noticed at once.
     auto options = c10d::ProcessGroupGloo::Options::create(std::chrono::hours(24 * 7));
     options->devices.push_back(device_towards(meeting.host));
     ranks.group_ = std::make_unique<Ranks::Group>();

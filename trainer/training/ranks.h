@@ -8,10 +8,10 @@ class Tensor;
 
 namespace cps {
 
-/// The processes that train one network together. With one, nothing is ever sent.
+/// The processes that train one network together. With one process, nothing is sent.
 class Ranks {
  public:
-  /// One process.
+  /// A single process.
   Ranks();
   ~Ranks();
   Ranks(Ranks&&) noexcept;
@@ -19,15 +19,15 @@ class Ranks {
 
   int rank = 0, count = 1;
 
-  /// The sum over all processes, in place, the same bits on each. Contiguous floats or doubles, on any device
-  /// (they are sent from the CPU). Throws
-  /// std::runtime_error when another process is gone.
+  /// Replaces the tensor by its sum over all processes, with the same bits on each. It must be contiguous
+  /// floats or doubles, on any device (they are sent from the CPU). Throws std::runtime_error if another
+  /// process is gone.
   void sum(at::Tensor& tensor) const;
 
-  /// The same of one number.
+  /// The sum of one number over all processes.
   double sum(double number) const;
 
-  /// Waits until all are here.
+  /// Waits until all processes have called this.
   void wait() const;
 
  private:
@@ -36,12 +36,12 @@ class Ranks {
   std::unique_ptr<Group> group_;
 };
 
-/// Joins the processes that the environment names, as torchrun sets it: RANK, WORLD_SIZE, MASTER_ADDR,
-/// MASTER_PORT (29500). Under srun none need be set: SLURM_PROCID, SLURM_STEP_NUM_TASKS and
-/// slurm_meeting_point() say the same. Gloo over TCP; CPS_NETWORK_INTERFACE names the network interface, else
-/// it is the loopback when rank 0 is at 127.0.0.1, and that of this machine's name when it is not. One
-/// process without these variables. Throws std::runtime_error with one line when one makes no sense or the
-/// others cannot be reached.
+/// Joins the group of processes that the environment describes, with torchrun's variables: RANK, WORLD_SIZE,
+/// MASTER_ADDR, MASTER_PORT (default 29500). Under srun they need not be set: SLURM_PROCID,
+/// SLURM_STEP_NUM_TASKS and slurm_meeting_point() replace them. Without any, returns a single process.
+/// Communicates by Gloo over TCP. CPS_NETWORK_INTERFACE names the network interface; by default it is the
+/// loopback if rank 0 is at 127.0.0.1, else the interface of this machine's host name. Throws
+/// std::runtime_error with one line if a variable is invalid or another process cannot be reached.
 Ranks join_ranks();
 
 }  // namespace cps

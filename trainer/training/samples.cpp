@@ -5,8 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "distortion/label_algebra.h"
 #include "trainer/images/blob_cache.h"
-#include "trainer/images/mirror.h"
 
 namespace cps {
 
@@ -19,7 +19,7 @@ std::vector<int> images_of(const Dataset& dataset, Part part) {
 
 namespace {
 
-/// The images' pixels. Those that cannot be used leave `images`, if they may.
+/// The images' pixels. Unusable images are removed from `images` if the options allow it.
 ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const SampleOptions& options,
                          const std::filesystem::path& cache_file, std::vector<std::string>& skipped) {
   for (;;) try {
@@ -30,7 +30,7 @@ ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const
     }
 }
 
-/// One grid for all images of a group.
+/// Adds the ray grids; the images of a group share one.
 void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& images) {
   std::map<int, std::array<std::shared_ptr<const RayGrid>, 2>> of_group;
   for (int i : images) {
@@ -39,9 +39,9 @@ void add_rays(Samples& samples, const Dataset& dataset, const std::vector<int>& 
     if (!grids[0]) {
       const DatasetGroup& g = dataset.groups[group];
       const std::string label = (dataset.root / g.folder / "calibration.json").string();
-      const Calibration calibration{g.label.camera, g.label.distortion};
-      const Eigen::AlignedBox2d shape = frame_on_plane(base_of(g.label));  // the same mirrored
-      grids = {loss_rays(calibration, shape, label), loss_rays(mirrored(calibration), shape, label)};
+      const CalibratedCamera camera{"", g.label.camera, g.label.distortion};
+      const Eigen::AlignedBox2d shape = frame_on_plane(base_of(g.label));  // also the mirrored lens' shape
+      grids = {loss_rays(camera, shape, label), loss_rays(mirrored_left_right(camera), shape, label)};
     }
     samples.rays.push_back(grids[0]);
     samples.mirrored_rays.push_back(grids[1]);
@@ -60,9 +60,9 @@ Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& opt
   samples.cache = usable_images(dataset, images, options, cache_file, samples.skipped);
   for (int i : images) {
     const DatasetGroup& group = dataset.groups[dataset.images[i].group];
-    const Calibration calibration{group.label.camera, group.label.distortion};
-    samples.targets.push_back(to_outputs(calibration, options.space));
-    samples.mirrored_targets.push_back(to_outputs(mirrored(calibration), options.space));
+    const CalibratedCamera camera{"", group.label.camera, group.label.distortion};
+    samples.targets.push_back(to_outputs(camera, options.space));
+    samples.mirrored_targets.push_back(to_outputs(mirrored_left_right(camera), options.space));
     if (!std::ranges::all_of(samples.targets.back(), [](double v) { return std::isfinite(v); }))
       throw std::runtime_error((dataset.root / group.folder / "calibration.json").string() +
                                ": holds a number that is not finite: make this group again");

@@ -14,7 +14,7 @@ std::string_view variable(const char* name) {
   return value ? value : "";
 }
 
-/// 0 where it is none.
+/// The number that the text begins with; 0 if there is none.
 std::uint64_t number(std::string_view text) {
   std::uint64_t value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);

@@ -46,7 +46,7 @@ double StepSums::finish(const Ranks& ranks) {
   };
   for (torch::Tensor& p : parameters_) p.mutable_grad() = take(p).clone();
   for (torch::Tensor& b : buffers_) b.copy_(take(b));
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].copy_(after_[i]);  // of steps
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i].copy_(after_[i]);  // counts steps, not batches
   return row_[numbers].item<double>();
 }
 

@@ -9,18 +9,21 @@
 
 namespace cps {
 
-/// What a step sums over its batches, in one row so that it is sent at once: gradients, what batch
-/// normalisation has counted, the loss of all images, and the number of batches.
+/// The sums of one step over its batches, in one tensor so that they are sent at once: gradients, statistics
+/// of batch normalisation, the loss of all images, and the number of batches.
 class StepSums {
  public:
+  /// Starts a step of `network`, which must outlive this.
   explicit StepSums(Network& network);
 
-  /// Each batch starts from the statistics that the step started from.
+  /// Call before each batch: resets the statistics to those at the start of the step.
   void begin_batch();
 
+  /// Call after each batch: adds its gradients and statistics, and the sum of its images' losses.
   void add_batch(double loss_of_images);
 
-  /// Puts the means over all batches of all processes into gradients and buffers. Returns the losses' sum.
+  /// Sets gradients and buffers to their means over all batches of all processes. Returns the sum of the
+  /// losses.
   double finish(const Ranks& ranks);
 
  private:

@@ -8,12 +8,13 @@
 #include "trainer/model/model_card.h"
 #include "trainer/model/predictor.h"
 #include "trainer/network/threads.h"
+#include "trainer/network/weights.h"
 #include "trainer/training/distillation.h"
 #include "trainer/training/epoch.h"
 #include "trainer/training/history.h"
 #include "trainer/training/online_images.h"
 #include "trainer/training/samples.h"
-#include "trainer/training/training_state.h"
+#include "trainer/training/training_state_file.h"
 
 namespace cps {
 namespace {
@@ -30,7 +31,7 @@ const EpochReport* best_of(const std::vector<EpochReport>& epochs) {
   return best == epochs.end() ? nullptr : &*best;
 }
 
-/// As many epochs as fit into what is left of the budget, judging by the first.
+/// The number of epochs that fit into the given minutes if all last as long as the first.
 int epochs_within(double minutes, double elapsed_seconds, double epoch_seconds, int wanted) {
   const double more = (minutes * 60 - elapsed_seconds) / epoch_seconds;
   return std::clamp(1 + static_cast<int>(std::max(0.0, more)), 1, wanted);
@@ -40,7 +41,8 @@ bool has_lost_patience(int patience, const std::vector<EpochReport>& epochs) {
   return patience > 0 && !epochs.empty() && epochs.back().epoch - best_of(epochs)->epoch >= patience;
 }
 
-/// Every process judges by the same numbers, or some would stop and leave others waiting.
+/// Averages the validation results, so that all processes agree when to stop; otherwise some would wait for
+/// ever.
 void agree(const Ranks& ranks, EpochReport& report) {
   for (double* number : {&report.validation_loss, &report.validation_cosine, &report.validation_hfov_mae_deg})
     *number = ranks.sum(*number) / ranks.count;
@@ -57,11 +59,10 @@ ModelCard start_card(const Dataset& dataset, const fs::path& model_folder, const
                                ": resume with the same dataset");
     return card;
   }
-  std::string why;
-  if (!options.is_valid(&why)) throw std::runtime_error(why);
+  if (const std::string fault = options.fault(); !fault.empty()) throw std::runtime_error(fault);
   if (fs::exists(model_folder / "model.json"))
     throw std::runtime_error((model_folder / "model.json").string() +
-                             ": a model is there already: go on with --resume or choose another folder");
+                             ": a model exists already: continue it with --resume or choose another folder");
   card.options = options;
   card.dataset = dataset.root.string();
   card.dataset_hash = dataset_fingerprint(dataset);
@@ -94,15 +95,14 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   use_threads(card.options.threads);
   if (card.options.batches_per_step % ranks.count != 0)
     throw std::runtime_error("batches-per-step: " + std::to_string(card.options.batches_per_step) +
-                             " cannot be shared out among " + std::to_string(ranks.count) + " processes");
+                             " cannot be divided among " + std::to_string(ranks.count) + " processes");
   const std::unique_ptr<const Predictor> teacher = load_teacher(card.options, device);
   std::error_code error;
   fs::create_directories(model_folder, error);
-  if (error)
-    throw std::runtime_error(model_folder.string() + ": cannot be made a folder: " + error.message());
+  if (error) throw std::runtime_error(model_folder.string() + ": cannot be created: " + error.message());
 
-  ranks.wait();                       // all have seen what was in the folder
-  if (ranks.rank != 0) ranks.wait();  // the first makes the caches
+  ranks.wait();                       // until all have checked the folder
+  if (ranks.rank != 0) ranks.wait();  // until rank 0 has written the caches
   const TrainingSet training = load_training_set(dataset, card.options, model_folder);
   const Samples validation = load_part(dataset, Part::val, card.options, model_folder / "val.cache");
   if (ranks.rank == 0) ranks.wait();
@@ -112,7 +112,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   summary.decode_seconds = seconds_since(start);
   summary.training_images = card.training_images = static_cast<int>(training.originals.size());
   summary.validation_images = card.validation_images = static_cast<int>(validation.targets.size());
-  // What the network is shown and asked is standardised by the training images alone.
+  // Inputs and outputs are standardised by the training images alone.
   card.pixels = training.pixels;
   card.targets = training.targets;
 
@@ -143,7 +143,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     report.seconds_left = (state.planned_epochs - report.epoch) * epoch_seconds;
     state.epochs.push_back(report);
 
-    // weights.pt first: a run killed in between repeats this epoch and writes the same weights again.
+    // weights.pt first: a run killed between the two repeats this epoch and writes the same weights again.
     if (report.is_best) {
       card.epoch = report.epoch;
       card.validation_loss = report.validation_loss;

@@ -12,33 +12,34 @@
 
 namespace cps {
 
-/// An image as training shows it in one epoch, and the truth about it.
+/// An image as the network sees it in one epoch, with its target.
 struct ShownImage {
   GrayImage pixels;  ///< reduced, not flipped yet
   ImageSize original;
   bool is_mirrored = false;
-  Outputs target{};                          ///< of what is shown, so flipped if it is; not standardised
-  std::shared_ptr<const RayGrid> rays = {};  ///< the same; null unless the loss needs them
+  Outputs target{};                          ///< of the image as shown, flipped if it is; not standardised
+  std::shared_ptr<const RayGrid> rays = {};  ///< also of the image as shown; null unless the loss needs them
 };
 
-/// What is learned from.
+/// The images that a network is trained on.
 struct TrainingSet {
   std::vector<ImageSize> originals;  ///< of each image, before reduction
-  PixelStatistics pixels;            ///< what its images are normalised by
-  Standardisation targets;           ///< and their targets
+  PixelStatistics pixels;            ///< by which the images are normalised
+  Standardisation targets;           ///< by which the targets are standardised
   std::vector<std::string> skipped;  ///< one line for each image left out
-  /// Image i in an epoch: a pure function of both, to be called by many threads.
+  /// Image i in an epoch: a pure function of both, safe to call from many threads.
   std::function<ShownImage(int i, int epoch)> shown;
 };
 
-/// Images as they lie on disk, every second one flipped where the options say so.
+/// The stored images; a random half is flipped in each epoch if options.mirror is set.
 TrainingSet fixed_images(std::shared_ptr<const Samples> samples, const TrainOptions& options);
 
-/// A batch in an epoch, augmented; in parallel, and the same for any number of threads.
+/// The images of a batch in an epoch, augmented. Computed in parallel, with the same result for any number of
+/// threads.
 std::vector<ShownImage> show(const TrainingSet& set, const Batch& batch, const TrainOptions& options,
                              int epoch);
 
-/// The images without their truth, as a network takes them. They point into `shown`.
+/// The images without their targets, as a network takes them. They point into `shown`.
 std::vector<BatchImage> network_images(const std::vector<ShownImage>& shown);
 
 }  // namespace cps

@@ -20,7 +20,7 @@ Interval interval_of_mean(const std::vector<double>& values, const std::vector<i
 
 }  // namespace
 
-TEST_CASE("the interval of a mean covers the truth as often as it says") {
+TEST_CASE("the 95 % interval of a mean covers the true mean at its nominal rate") {
   // 300 samples of 60 normal numbers: 95 % intervals cover the true mean, 0, in 94 % of samples of this size
   // (the percentile interval is a little narrow); four standard deviations of the count about that.
   const int samples = 300, n = 60;

@@ -24,7 +24,7 @@ Predictor briefly_trained(const Dataset& dataset, const std::filesystem::path& m
 
 }  // namespace
 
-TEST_CASE("a trained model is loaded, measured and asked, and says the same each time") {
+TEST_CASE("a trained model gives the same evaluation each time, equal to that of its single predictions") {
   const TemporaryFolder folder;
   const Dataset dataset = make_street_dataset(
       folder.path / "data",
@@ -36,7 +36,7 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
   const std::vector<int> images = images_of(dataset, Part::test);
   CHECK(evaluation.network.images == static_cast<int>(images.size()));
 
-  // Beside the table: the same errors from single predictions, and the baseline by hand.
+  // The same errors from single predictions, and the baseline computed here.
   double hfov_deg = 0, reprojection_px = 0, baseline_deg = 0, mean_rad = 0;
   const std::vector<int> training = images_of(dataset, Part::train);
   for (int i : training)
@@ -46,7 +46,7 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
     const ImagePrediction prediction = predict_images(predictor, file).at(0);
     const double truth = hfov_rad(dataset.groups[dataset.images[i].group].label.camera);
     REQUIRE(prediction.truth);
-    CHECK(hfov_rad(prediction.truth->camera) == Approx(truth));
+    CHECK(hfov_rad(prediction.truth->pinhole) == Approx(truth));
     REQUIRE(prediction.reprojection_px);
     hfov_deg += degrees(std::abs(prediction.raw[0] - truth)) / images.size();
     reprojection_px += *prediction.reprojection_px / images.size();
@@ -62,7 +62,7 @@ TEST_CASE("a trained model is loaded, measured and asked, and says the same each
                                     {.resamples = 50, .robustness = true});
   CHECK(to_json(again).dump() == to_json(evaluation).dump());
 
-  // Bins of one kind hold every image once; the first row of the table of robustness is the table above it.
+  // Bins of one kind hold every image once; the first row of the robustness table is the network itself.
   for (const char* kind : {"H-FOV", "size", "camera"}) {
     int members = 0;
     double sum = 0;
@@ -107,8 +107,8 @@ TEST_CASE("a prediction has a spread that is the same each time, and a certified
   CHECK(one.spread == again.spread);
   for (double s : one.spread) CHECK(s > 0);
   REQUIRE(one.certified);
-  CHECK(is_one_to_one(one.certified->calibration));
-  const ImagePrediction plain = predict_images(predictor, file, {.looks = 0}).at(0);
+  CHECK(is_one_to_one(one.certified->camera));
+  const ImagePrediction plain = predict_images(predictor, file, {.variants = 0}).at(0);
   CHECK(plain.spread == Outputs{});
   CHECK(plain.raw == one.raw);
   CHECK_THAT(report(std::vector{one}), Catch::Contains("spread"));
@@ -116,7 +116,7 @@ TEST_CASE("a prediction has a spread that is the same each time, and a certified
   CHECK(to_json(std::vector{one}).at(0).at("certified").at("kept") <= 1);
 }
 
-TEST_CASE("a folder that is no model is refused in one line") {
+TEST_CASE("a folder without a model is refused in one line") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(Predictor(folder.path), Catch::StartsWith((folder.path / "model.json").string() + ": "));
 }

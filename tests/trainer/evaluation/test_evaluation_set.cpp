@@ -38,10 +38,10 @@ TEST_CASE("KITTI raw folders are found with the calibration of their date") {
     CHECK(set.images[0].file == date / "drive_0001_extract/image_00/data/0000000001.png");
     CHECK(set.images[3].file == date / "drive_0002_extract/image_00/data/0000000007.png");
     CHECK(set.images[0].camera == "KITTI 00");
-    CHECK(set.images[0].truth.camera.fy == 980.8141);
+    CHECK(set.images[0].truth.pinhole.fy == 980.8141);
     CHECK(set.images[0].truth.distortion ==
           Distortion{-.3728755, .2037299, -.07233722, .002219027, .001383707});
-    CHECK(degrees(hfov_rad(set.images[0].truth.camera)) == Approx(70.53).margin(.01));
+    CHECK(degrees(hfov_rad(set.images[0].truth.pinhole)) == Approx(70.53).margin(.01));
     std::set<int> clusters;
     for (const EvaluationImage& image : set.images) clusters.insert(image.cluster);
     CHECK(clusters.size() == 4);
@@ -52,13 +52,16 @@ TEST_CASE("KITTI raw folders are found with the calibration of their date") {
 
 TEST_CASE("all four KITTI cameras can be measured, one of which folds just beyond its corners") {
   // Cameras 01, 02 and 03 of 2011_09_26.
-  const std::vector<Calibration> cameras{{{1392, 512, 989.5267, 987.8386, 702.0, 245.559},
-                                          {-.3644661, .1790019, -.05314062, .001148107, -.0006298563}},
-                                         {{1392, 512, 959.7910, 956.9251, 696.0217, 224.1806},
-                                          {-.3691481, .1968681, -.06770705, .001353473, .0005677587}},
-                                         {{1392, 512, 903.7596, 901.9653, 695.7519, 224.2509},
-                                          {-.3639558, .1788651, -.05382460, .0006029694, -.0003922424}}};
-  for (const Calibration& camera : cameras) {
+  const std::vector<CalibratedCamera> cameras{{"01",
+                                               {1392, 512, 989.5267, 987.8386, 702.0, 245.559},
+                                               {-.3644661, .1790019, -.05314062, .001148107, -.0006298563}},
+                                              {"02",
+                                               {1392, 512, 959.7910, 956.9251, 696.0217, 224.1806},
+                                               {-.3691481, .1968681, -.06770705, .001353473, .0005677587}},
+                                              {"03",
+                                               {1392, 512, 903.7596, 901.9653, 695.7519, 224.2509},
+                                               {-.3639558, .1788651, -.05382460, .0006029694, -.0003922424}}};
+  for (const CalibratedCamera& camera : cameras) {
     const auto rays = ray_grid(camera);
     REQUIRE(rays);
     CHECK(rays->pixels.size() >= .9 * 24 * 9);

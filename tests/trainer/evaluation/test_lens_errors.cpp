@@ -9,19 +9,19 @@ using namespace cps;
 
 namespace {
 
-LensErrors errors_of(const Calibration& truth, const std::vector<Outputs>& said) {
+LensErrors errors_of(const CalibratedCamera& truth, const std::vector<Outputs>& predicted) {
   const auto rays = ray_grid(truth);
   REQUIRE(rays);
-  std::vector<LensVerdict> verdicts;
-  for (const Outputs& outputs : said) verdicts.push_back({&truth, &*rays, outputs});
-  return measure_errors(verdicts);
+  std::vector<LensPrediction> predictions;
+  for (const Outputs& outputs : predicted) predictions.push_back({&truth, &*rays, outputs});
+  return measure_errors(predictions);
 }
 
 }  // namespace
 
 TEST_CASE("a perfect prediction has no error") {
   for (std::uint64_t lens = 0; lens < 10; ++lens) {
-    const Calibration truth = draw_calibration({480, 270}, 75, lens);
+    const CalibratedCamera truth = draw_calibration({480, 270}, 75, lens);
     const LensErrors errors = errors_of(truth, {to_outputs(truth, TargetSpace::raw)});
     CHECK(errors.reprojection_mean_px == Approx(0).margin(1e-9));
     CHECK(errors.hfov_mean_deg == Approx(0).margin(1e-12));
@@ -32,16 +32,16 @@ TEST_CASE("a perfect prediction has no error") {
 }
 
 TEST_CASE("a wrong focal length moves every pixel in proportion to its distance from the principal point") {
-  const Calibration truth{pinhole_from_hfov(480, 270, radians(70)), {}};
+  const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(70)), {}};
   const double scale = 1.07;
   const Pinhole longer{
-      480, 270, truth.camera.fx * scale, truth.camera.fy * scale, truth.camera.cx, truth.camera.cy};
+      480, 270, truth.pinhole.fx * scale, truth.pinhole.fy * scale, truth.pinhole.cx, truth.pinhole.cy};
   double distance = 0;
   const auto rays = ray_grid(truth);
   for (const Eigen::Vector2d& pixel : rays->pixels)
-    distance += (pixel - Eigen::Vector2d(truth.camera.cx, truth.camera.cy)).norm() /
+    distance += (pixel - Eigen::Vector2d(truth.pinhole.cx, truth.pinhole.cy)).norm() /
                 static_cast<double>(rays->pixels.size());
-  const LensErrors errors = errors_of(truth, {to_outputs({longer, {}}, TargetSpace::raw)});
+  const LensErrors errors = errors_of(truth, {to_outputs({"", longer, {}}, TargetSpace::raw)});
   CHECK(errors.reprojection_mean_px == Approx((scale - 1) * distance).epsilon(1e-9));
   CHECK(errors.hfov_mean_deg == Approx(70 - degrees(hfov_rad(longer))).epsilon(1e-9));
 
@@ -53,24 +53,24 @@ TEST_CASE("a wrong focal length moves every pixel in proportion to its distance 
 }
 
 TEST_CASE("a shifted principal point moves every pixel by the shift, whatever the lens") {
-  const Calibration truth = draw_calibration({480, 270}, 90, 4);
-  Calibration shifted = truth;
-  shifted.camera.cx += 3;
-  shifted.camera.cy -= 4;
+  const CalibratedCamera truth = draw_calibration({480, 270}, 90, 4);
+  CalibratedCamera shifted = truth;
+  shifted.pinhole.cx += 3;
+  shifted.pinhole.cy -= 4;
   const LensErrors errors = errors_of(truth, {to_outputs(shifted, TargetSpace::raw)});
   CHECK(errors.reprojection_mean_px == Approx(5).epsilon(1e-9));
   CHECK(errors.raw_mae[6] == Approx(3.0 / 480));
   CHECK(errors.raw_mae[7] == Approx(4.0 / 270));
 }
 
-TEST_CASE("means, medians and root mean squares are what they say") {
-  const Calibration truth{pinhole_from_hfov(480, 270, radians(60)), {}};
-  std::vector<Outputs> said;
+TEST_CASE("means, medians and root mean squares of known errors") {
+  const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(60)), {}};
+  std::vector<Outputs> predicted;
   for (double off_deg : {-1.0, 2.0, 6.0}) {
-    said.push_back(to_outputs(truth, TargetSpace::raw));
-    said.back()[0] += radians(off_deg);
+    predicted.push_back(to_outputs(truth, TargetSpace::raw));
+    predicted.back()[0] += radians(off_deg);
   }
-  const LensErrors errors = errors_of(truth, said);
+  const LensErrors errors = errors_of(truth, predicted);
   CHECK(errors.images == 3);
   CHECK(errors.hfov_mean_deg == Approx(3));
   CHECK(errors.hfov_median_deg == Approx(2));
@@ -83,26 +83,26 @@ TEST_CASE("means, medians and root mean squares are what they say") {
 TEST_CASE("angles of rays, focal and principal-point errors in closed form") {
   // Without distortion a longer focal length turns the ray of a pixel at distance d from atan(d/f) to
   // atan(d/f').
-  const Calibration truth{pinhole_from_hfov(480, 270, radians(70)), {}};
-  Calibration longer = truth;
-  longer.camera.fx *= 1.1;
-  longer.camera.fy *= 1.1;
-  longer.camera.cx += 4.8;
+  const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(70)), {}};
+  CalibratedCamera longer = truth;
+  longer.pinhole.fx *= 1.1;
+  longer.pinhole.fy *= 1.1;
+  longer.pinhole.cx += 4.8;
   const RayGrid rays = ray_grid(truth).value();
   const ImageErrors e = image_errors({&truth, &rays, to_outputs(longer, TargetSpace::raw)});
   CHECK(e.focal == Approx(.1));
   CHECK(e.principal_point == Approx(2 * .01));
   CHECK(e.k1 == 0);
-  longer.camera.cx = truth.camera.cx;
+  longer.pinhole.cx = truth.pinhole.cx;
   double angle_deg = 0;
   for (const Eigen::Vector2d& pixel : rays.pixels) {
-    const double d = (pixel - Eigen::Vector2d(truth.camera.cx, truth.camera.cy)).norm();
-    angle_deg += degrees(std::atan(d / truth.camera.fx) - std::atan(d / longer.camera.fx)) /
+    const double d = (pixel - Eigen::Vector2d(truth.pinhole.cx, truth.pinhole.cy)).norm();
+    angle_deg += degrees(std::atan(d / truth.pinhole.fx) - std::atan(d / longer.pinhole.fx)) /
                  static_cast<double>(rays.pixels.size());
   }
   CHECK(angular_error_deg(rays, longer).value() == Approx(angle_deg).epsilon(1e-9));
   for (std::uint64_t lens = 1; lens < 6; ++lens) {
-    const Calibration drawn = draw_calibration({480, 270}, 75, lens);
+    const CalibratedCamera drawn = draw_calibration({480, 270}, 75, lens);
     CHECK(angular_error_deg(ray_grid(drawn).value(), drawn).value() == Approx(0).margin(1e-6));
   }
   longer.distortion.k1 = -3;
@@ -110,13 +110,13 @@ TEST_CASE("angles of rays, focal and principal-point errors in closed form") {
 }
 
 TEST_CASE("AUC is the area under the curve of errors, and correlation is Pearson's") {
-  const Calibration truth{pinhole_from_hfov(480, 270, radians(60)), {}};
-  std::vector<Outputs> said;
+  const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(60)), {}};
+  std::vector<Outputs> predicted;
   for (double off_deg : {0.0, .5, 2.0, 20.0}) {
-    said.push_back(to_outputs(truth, TargetSpace::raw));
-    said.back()[0] += radians(off_deg);
+    predicted.push_back(to_outputs(truth, TargetSpace::raw));
+    predicted.back()[0] += radians(off_deg);
   }
-  const LensErrors errors = errors_of(truth, said);
+  const LensErrors errors = errors_of(truth, predicted);
   // Share of images within t, integrated: steps at 0, .5 and 2 degrees.
   CHECK(errors.hfov_auc[0] == Approx((1 + .5 + 0 + 0) / 4));
   CHECK(errors.hfov_auc[1] == Approx((1 + .9 + .6 + 0) / 4));
@@ -130,8 +130,8 @@ TEST_CASE("AUC is the area under the curve of errors, and correlation is Pearson
   CHECK(summarise(three, fov).hfov_correlation == Approx(3 / std::sqrt(2 * 6.)));
 }
 
-TEST_CASE("predictions that are no camera, or fold, are counted and not repaired") {
-  const Calibration truth{pinhole_from_hfov(480, 270, radians(60)), {}};
+TEST_CASE("predictions that are not a camera, or fold, are counted and measured as they are") {
+  const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(60)), {}};
   Outputs none = to_outputs(truth, TargetSpace::raw), folds = none;
   none[0] = -.2;
   folds[1] = -3;  // 1 + 9 k1 r² < 0 well inside the frame

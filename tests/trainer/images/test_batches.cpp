@@ -43,7 +43,7 @@ TEST_CASE("batches of one size are of even length") {
   for (const Batch& batch : batches) CHECK(batch.size() == 11);
 }
 
-TEST_CASE("sizes take turns in proportion") {
+TEST_CASE("sizes alternate in proportion to their counts") {
   const std::vector<ImageSize> sizes = three_sizes();
   const auto batches = shuffled_batches(sizes, 4, 9, 2);
   std::map<ImageSize, int> totals, so_far;

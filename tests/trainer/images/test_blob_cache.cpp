@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<std::size_t> sizes = {5, 4096, 0, 77, 100000, 1};
 
-/// Fills a blob with bytes that only its number decides, and remembers that it was asked.
+/// Fills a blob with bytes that depend on its number alone, and records which blobs it was asked for.
 struct Maker {
   std::set<std::size_t> broken = {};
   std::set<std::size_t> made = {};
@@ -64,7 +64,7 @@ TEST_CASE("blobs are made once, and found again until their key changes") {
   CHECK(is_right(maker.load({})));  // in memory
 }
 
-TEST_CASE("making blobs goes on where it stopped") {
+TEST_CASE("making blobs continues where it stopped") {
   const TemporaryFolder folder;
   const auto file = folder.path / "x.cache";
   Maker maker;
@@ -102,7 +102,7 @@ TEST_CASE("a cache's bytes do not depend on threads") {
   CHECK(read_file(folder.path / "one") == read_file(folder.path / "many"));
 }
 
-TEST_CASE("a cache that another process makes, or that cannot be written, is one line") {
+TEST_CASE("a cache that another process is writing, or that cannot be written, is refused in one line") {
   const TemporaryFolder folder;
   const auto file = folder.path / "x.cache";
   Maker maker;

@@ -83,7 +83,7 @@ TEST_CASE("motion blur is a centred streak along its angle") {
   }
 }
 
-TEST_CASE("gamma and contrast are the curves they say") {
+TEST_CASE("gamma and contrast follow their formulas") {
   GrayImage image = flat(64);
   apply_gamma(image, 2);
   CHECK(image.pixels[0] == std::lround(64.0 * 64 / 255));
@@ -96,7 +96,7 @@ TEST_CASE("gamma and contrast are the curves they say") {
   CHECK(contrast.pixels[0] == 0);
 }
 
-TEST_CASE("ISO noise has mean zero and the variance of its law") {
+TEST_CASE("ISO noise has mean zero and the documented variance") {
   for (int value : {60, 200}) {
     GrayImage image = flat(static_cast<std::uint8_t>(value));
     add_iso_noise(image, 10, make_stream(1, "noise"));
@@ -174,7 +174,7 @@ TEST_CASE("an augmented image is a function of its stream, and each change comes
 }
 
 TEST_CASE("augmentation moves nothing: an edge stays where it is") {
-  // The columns' centre of a bright bar, under every change at once but cutout, which hides.
+  // The centre of a bright bar, under all changes at once except cutout, which would hide it.
   GrayImage bar{{61, 40}, std::vector<std::uint8_t>(61 * 40, 20)};
   for (int y = 0; y < 40; ++y)
     for (int x = 26; x <= 34; ++x) bar.pixels[y * 61 + x] = 200;

@@ -96,7 +96,7 @@ TEST_CASE("the cache holds the decoded images, is found again, and notices a cha
   CHECK(cache.decoded == static_cast<int>(images.size()));
   check(cache);
 
-  // A cache cut short is no cache.
+  // A cache that is cut short is made again.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
   CHECK(load_image_cache(dataset, images, reduction, file).decoded > 0);
 }

@@ -6,12 +6,11 @@
 
 using namespace cps;
 
-TEST_CASE("devices by their names") {
+TEST_CASE("devices are found by name") {
   CHECK(device_from_string("cpu") == Device::cpu);
   CHECK_THROWS_WITH(device_from_string("gpu"), "device 'gpu': must be cpu or cuda");
   if (torch::cuda::is_available())
     CHECK(device_from_string("cuda") == Device::cuda);
   else
-    CHECK_THROWS_WITH(device_from_string("cuda"),
-                      "device 'cuda': this LibTorch sees no CUDA device: say cpu");
+    CHECK_THROWS_WITH(device_from_string("cuda"), "device 'cuda': LibTorch finds no CUDA device: use cpu");
 }

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "trainer/network/resnet.h"
-#include "trainer/training/training_state.h"
+#include "trainer/network/weights.h"
 
 using namespace cps;
 
@@ -29,7 +29,7 @@ std::shared_ptr<Network> resnet(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("parameter counts are torchvision's but for one channel and another head") {
+TEST_CASE("parameter counts are torchvision's, less two input channels and with another head") {
   CHECK(parameter_count(*resnet("resnet18")) == expected(11'689'512, 512));
   CHECK(parameter_count(*resnet("resnet34")) == expected(21'797'672, 512));
   CHECK(parameter_count(*resnet("resnet50")) == expected(25'557'032, 2048));
@@ -94,7 +94,7 @@ TEST_CASE("any image size goes in, and the size features reach the outputs") {
   CHECK(torch::allclose(change[0], .125 * weight.select(1, 512) + .25 * weight.select(1, 513), 1e-4, 1e-5));
 }
 
-TEST_CASE("without size features the size is not looked at, and the last layer has two columns fewer") {
+TEST_CASE("without size features the size has no effect, and the last layer has two columns fewer") {
   torch::manual_seed(1);
   const auto network = make_resnet(*find_architecture("resnet18"), {.size_features = false});
   network->eval();
@@ -123,7 +123,7 @@ TEST_CASE("without the pooling every map is twice as large, with the same weight
   CHECK_FALSE(torch::allclose(pooled->forward(image, sizes), plain->forward(image, sizes)));
 }
 
-TEST_CASE("an untrained network says the training mean, whatever it sees") {
+TEST_CASE("an untrained network predicts the training mean for any image") {
   torch::manual_seed(1);
   const auto network = resnet("resnet50");
   network->eval();

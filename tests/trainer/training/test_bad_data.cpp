@@ -63,7 +63,7 @@ TEST_CASE("a corrupt image is named, and refused or left out as asked") {
   CHECK_THROWS_WITH(train(dataset, folder.path / "none", options, false, {}), Catch::Contains("(and "));
 }
 
-TEST_CASE("labels that are no numbers, or of another schema, are refused by name") {
+TEST_CASE("labels with invalid numbers, or of another schema, are refused by name") {
   const TemporaryFolder folder;
   const Dataset dataset = streets(folder.path / "data");
   check_refused_label(dataset, "\"schema\":", "\"schema\": 2");

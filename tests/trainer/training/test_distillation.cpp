@@ -58,7 +58,7 @@ const School& the_school() {
 
 }  // namespace
 
-TEST_CASE("what a teacher says counts in the student's own units") {
+TEST_CASE("a teacher's predictions are converted to the student's units") {
   const School& school = the_school();
   ModelCard student;
   student.options.reduction.width = 64;
@@ -82,7 +82,7 @@ TEST_CASE("what a teacher says counts in the student's own units") {
   CHECK(distillation_loss(same, *teacher, images, student).item<double>() == Approx(0).margin(1e-10));
 }
 
-TEST_CASE("a student with the whole weight on its teacher comes to say what the teacher says") {
+TEST_CASE("a student that learns from its teacher alone approaches the teacher's predictions") {
   const School& school = the_school();
   TrainOptions options = brief(15);
   options.teacher = school.teacher();
@@ -90,7 +90,7 @@ TEST_CASE("a student with the whole weight on its teacher comes to say what the 
   const TrainSummary summary = train(school.dataset, school.folder.path / "student", options, false, {});
   CHECK(summary.epochs.back().training_loss < .2 * summary.epochs.front().training_loss);
 
-  // A teacher who has hardly learned is no truth: the student is nearer to it than to the labels.
+  // The teacher has hardly learned, so the student ends nearer to it than to the labels.
   CHECK(summary.epochs.back().training_loss < .3 * summary.epochs.back().validation_loss);
   CHECK(load_model_card(school.folder.path / "student").options.teacher == school.teacher());
 }

@@ -23,11 +23,12 @@ TEST_CASE("eight images are learned by heart") {
   options.batch_size = 8;
   options.mirror = false;
   const TrainSummary summary = train(dataset, folder.path / "model", options, false, {});
-  CHECK(summary.epochs.front().training_loss == Approx(1).epsilon(.05));  // the mean's error, by construction
+  CHECK(summary.epochs.front().training_loss ==
+        Approx(1).epsilon(.05));  // the error of predicting the mean, by construction
   CHECK(summary.epochs.back().training_loss < .01);
 }
 
-TEST_CASE("streets seen nowhere before teach H-FOV", "[slow]") {
+TEST_CASE("a network learns H-FOV on streets that it has never seen", "[slow]") {
   const TemporaryFolder folder;
   const Dataset dataset = make_street_dataset(folder.path / "data", {.sizes = {{160, 90}},
                                                                      .fields_of_view = 8,

@@ -17,10 +17,10 @@ Tensor row(const Outputs& values) {
   return torch::tensor(std::vector<double>(values.begin(), values.end()), torch::kDouble).unsqueeze(0);
 }
 
-RayBatch rays_of(const Calibration& truth, const RayGrid& grid) {
+RayBatch rays_of(const CalibratedCamera& truth, const RayGrid& grid) {
   const long points = static_cast<long>(grid.pixels.size());
   RayBatch rays{torch::empty({1, points, 2}, torch::kDouble), torch::empty({1, points, 2}, torch::kDouble),
-                truth.camera.width, truth.camera.height};
+                truth.pinhole.width, truth.pinhole.height};
   for (long i = 0; i < points; ++i)
     for (int axis : {0, 1}) {
       rays.ideal[0][i][axis] = grid.ideal[i][axis];
@@ -48,7 +48,7 @@ double gradient_error(const Tensor& at, Function loss) {
 
 }  // namespace
 
-TEST_CASE("squared and Huber errors are what they say, of the learned outputs alone") {
+TEST_CASE("squared and Huber errors in closed form, over the learned outputs alone") {
   const Tensor said = row({0, 3, 0, 0, 0, 0, 0, .5}), truth = row({1, 0, 0, 0, 0, 0, 7, 0});
   TrainOptions all, two;
   two.outputs = {"fov", "k1"};
@@ -68,7 +68,7 @@ TEST_CASE("gradients of all losses are those of finite differences") {
     CHECK(gradient_error(
               said, [&](const Tensor& x) { return output_loss(kind, x, truth, output_mask(all)); }) < 1e-7);
   for (std::uint64_t lens : {0, 4, 9}) {
-    const Calibration calibration = draw_calibration({480, 270}, 75, lens);
+    const CalibratedCamera calibration = draw_calibration({480, 270}, 75, lens);
     const RayBatch rays = rays_of(calibration, ray_grid(calibration, 12).value());
     for (TargetSpace space : {TargetSpace::raw, TargetSpace::apparent})
       CHECK(gradient_error(said, [&](const Tensor& x) { return reprojection_loss(x, rays, space, by); }) <
@@ -78,11 +78,11 @@ TEST_CASE("gradients of all losses are those of finite differences") {
 
 TEST_CASE("the reprojection loss is the reprojection error") {
   for (std::uint64_t lens : {2, 5}) {
-    const Calibration truth = draw_calibration({480, 270}, 80, lens),
-                      other = draw_calibration({480, 270}, 74, 7);
+    const CalibratedCamera truth = draw_calibration({480, 270}, 80, lens),
+                           other = draw_calibration({480, 270}, 74, 7);
     const RayGrid grid = ray_grid(truth, 12).value();
     for (TargetSpace space : {TargetSpace::raw, TargetSpace::apparent}) {
-      const auto loss = [&](const Calibration& c) {
+      const auto loss = [&](const CalibratedCamera& c) {
         return reprojection_loss(row(standardise(to_outputs(c, space), by)), rays_of(truth, grid), space, by)
                    .item<double>() *
                4.80;
@@ -93,8 +93,8 @@ TEST_CASE("the reprojection loss is the reprojection error") {
   }
 }
 
-TEST_CASE("an H-FOV that is no camera has a finite loss and no gradient of its own") {
-  const Calibration truth = draw_calibration({480, 270}, 80, 2);
+TEST_CASE("an H-FOV outside 0…180° has a finite loss and no gradient of its own") {
+  const CalibratedCamera truth = draw_calibration({480, 270}, 80, 2);
   const RayBatch rays = rays_of(truth, ray_grid(truth, 12).value());
   const Tensor x = row({-30, 0, 0, 0, 0, 0, 0, 0}).set_requires_grad(true);
   const Tensor loss = reprojection_loss(x, rays, TargetSpace::apparent, by);

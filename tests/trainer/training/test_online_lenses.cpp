@@ -3,6 +3,7 @@
 
 #include "distortion/certificate/certificate.h"
 #include "distortion/warp/master_camera.h"
+#include "distortion/label_algebra.h"
 #include "distortion/warp/warp.h"
 #include "files/files.h"
 #include "numbers/angles.h"
@@ -10,7 +11,6 @@
 #include "tests/trainer/street.h"
 #include "tests/trainer/street_masters.h"
 #include "trainer/calibration/reprojection.h"
-#include "trainer/images/mirror.h"
 #include "trainer/training/online_images.h"
 #include "trainer/training/online_lens.h"
 #include "trainer/training/train.h"
@@ -36,9 +36,8 @@ OnlineLensOptions shape_prior(double undistorted_share = 0) {
   return options;
 }
 
-Calibration calibration_of(const TrainOptions& options, const ShownImage& image) {
-  return to_calibration(image.target, options.target_space, image.original.width, image.original.height)
-      .value();
+CalibratedCamera calibration_of(const TrainOptions& options, const ShownImage& image) {
+  return to_camera(image.target, options.target_space, image.original.width, image.original.height).value();
 }
 
 /// Correlation of two pictures' pixels, which knows no brightness or contrast.
@@ -86,7 +85,7 @@ TEST_CASE("every online lens is certified, stays inside its master and within wh
   for (int i = 0; i < draws; ++i) {
     const DrawnLens lens = draw_online_lens(master, shape_prior(.25), Stream{static_cast<std::uint64_t>(i)});
     REQUIRE(certify(lens.distortion, frame_on_plane(lens.base)).valid);
-    const Calibration drawn{lens.crop.camera, lens.distortion};
+    const CalibratedCamera drawn{"", lens.crop.camera, lens.distortion};
     const auto rays = loss_rays(drawn, frame_on_plane(lens.base), "lens");
     REQUIRE(reprojection_error_px(*rays, drawn) < 1e-6);
     REQUIRE(std::tan(hfov_rad(lens.base) / 2) <= widest * (1 + 1e-12));
@@ -108,19 +107,20 @@ TEST_CASE("every online lens is certified, stays inside its master and within wh
 
 TEST_CASE("a lens has its rays though rectangles of the frame's own shape cannot be certified") {
   // One of the few in ten thousand draws: its frame is far off centre, its base's is not.
-  const Calibration drawn{
+  const CalibratedCamera drawn{
+      "",
       {174, 64, 243.42598869940539, 243.42598869940539, 84.841731710740362, 32.524730258408923},
       {0.94400134198808239, -1.0861710759700309, -36.626495356620701, -0.029191726856715377,
        0.0018617919480476955}};
   const Eigen::AlignedBox2d base = frame_on_plane(pinhole_from_hfov(174, 64, radians(41.390243426044194)));
   REQUIRE(certify(drawn.distortion, base).valid);
   REQUIRE_FALSE(is_one_to_one(drawn));
-  for (const Calibration& lens : {drawn, mirrored(drawn)}) {
+  for (const CalibratedCamera& lens : {drawn, mirrored_left_right(drawn)}) {
     const auto rays = loss_rays(lens, base, "lens");
     CHECK(rays->pixels.size() == 12 * 4);
     CHECK(reprojection_error_px(*rays, lens) < 1e-6);
   }
-  const Calibration folding{drawn.camera, {-5, 0, 0, 0, 0}};
+  const CalibratedCamera folding{"", drawn.pinhole, {-5, 0, 0, 0, 0}};
   CHECK_THROWS_WITH(loss_rays(folding, base, "lens"), Catch::StartsWith("lens: the lens is not one-to-one"));
 }
 
@@ -147,9 +147,9 @@ TEST_CASE("an online image shows what its target says, flipped or not") {
                        shown.pixels.begin() + (y + 1) * shown.size.width);
       flipped += image.is_mirrored;
       // The street itself through that lens; a flipped one is the flipped picture of the flipped lens.
-      Calibration truth = calibration_of(options, image);
+      CalibratedCamera truth = calibration_of(options, image);
       if (image.is_mirrored) {
-        truth.camera.cx = truth.camera.width - 1 - truth.camera.cx;
+        truth.pinhole.cx = truth.pinhole.width - 1 - truth.pinhole.cx;
         truth.distortion.p2 = -truth.distortion.p2;
       }
       const GrayImage direct = render_street(truth, i);
@@ -157,7 +157,7 @@ TEST_CASE("an online image shows what its target says, flipped or not") {
       const double good = correlation(image.pixels, direct);
       CHECK(good > .95);  // the direct one is not antialiased alike
       // A lens 2 % longer shows it visibly worse: the target is that exact.
-      truth.camera.fx = truth.camera.fy = 1.02 * truth.camera.fx;
+      truth.pinhole.fx = truth.pinhole.fy = 1.02 * truth.pinhole.fx;
       CHECK(correlation(image.pixels, render_street(truth, i)) < good);
     }
   CHECK((flipped > 0) == mirror);

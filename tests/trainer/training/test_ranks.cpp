@@ -53,7 +53,7 @@ int free_port() {
 
 }  // namespace
 
-// Run by the test below, twice at once.
+// The test below runs this case in two processes at once.
 TEST_CASE("one process of two", "[.rank-worker]") {
   if (!std::getenv("CPS_TEST_FOLDER")) return;  // hidden cases run under ~[slow], too
   const std::filesystem::path folder = std::getenv("CPS_TEST_FOLDER");
@@ -63,7 +63,7 @@ TEST_CASE("one process of two", "[.rank-worker]") {
   train(read_dataset(folder / "data"), folder / "two", options(), false, {}, ranks);
 }
 
-TEST_CASE("two processes on the loopback train the weights that one does") {
+TEST_CASE("two processes on the loopback give the same weights as one") {
   const TemporaryFolder folder;
   const Dataset dataset = streets(folder.path / "data");
   train(dataset, folder.path / "one", options(), false, {});
@@ -94,7 +94,7 @@ TEST_CASE("batches of one step are averaged, not summed") {
   CHECK(summary.epochs[0].training_loss == Approx(1).epsilon(.05));  // one step, from the mean's error
 }
 
-TEST_CASE("an environment that makes no sense is refused in one line") {
+TEST_CASE("an invalid environment is refused in one line") {
   CHECK(join_ranks().count == 1);
   {
     const EnvironmentVariables v{{"WORLD_SIZE", "2"}, {"RANK", "0"}};

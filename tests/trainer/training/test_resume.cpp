@@ -93,7 +93,7 @@ TEST_CASE("a budget of minutes cuts the planned epochs, never below one") {
   CHECK(summary.is_finished);
 }
 
-TEST_CASE("every loss trains, and a run that gets no better is stopped early") {
+TEST_CASE("every loss trains, and a run that stops improving is ended early") {
   const TemporaryFolder folder;
   const Dataset dataset = make_street_dataset(folder.path / "data", small());
   for (Loss loss : {Loss::huber, Loss::reprojection}) {

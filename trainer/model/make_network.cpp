@@ -1,0 +1,11 @@
+#include "trainer/model/make_network.h"
+
+namespace cps {
+
+std::shared_ptr<Network> make_network(const TrainOptions& options) {
+  return make_resnet(*find_architecture(options.architecture), {.dropout = options.dropout,
+                                                                .size_features = options.size_features,
+                                                                .edge_channel = options.edge_channel});
+}
+
+}  // namespace cps

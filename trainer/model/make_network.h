@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "trainer/model/train_options.h"
+#include "trainer/network/resnet.h"
+
+namespace cps {
+
+/// A network as the options describe it: architecture, inputs, dropout. Its initial weights come from torch's
+/// global generator; options.initial_weights are not read.
+std::shared_ptr<Network> make_network(const TrainOptions& options);
+
+}  // namespace cps
