@@ -44,7 +44,7 @@ class ViewLine {
     };
     const auto images = [this](Token view) {
       attempt([&] {
-        view->record = make_images(plan_, view->view, view->halves, root_, image_times_);
+        view->record = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
         view->halves = {};
       });
       return view;

@@ -145,7 +145,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     foretold_s += view_s;
     before = process_cpu_s();
     ImageTimes unused;
-    const ViewRecord made = make_images(plan, v, whole, scratch.path, unused);
+    const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused);
     of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);
