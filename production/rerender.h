@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataset/verify/registration.h"
+#include "production/watch.h"
 #include "sampler/plan/plan.h"
 
 namespace cps {
@@ -27,7 +28,7 @@ struct RerenderedImage {
 /// itself: no master, no crop, no warp. What agrees proves the label against the pixels. Throws
 /// std::runtime_error in one line.
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
-                                      const RerenderOptions& options);
+                                      const RerenderOptions& options, const Watch& watch);
 
 /// Writes the comparison as `.cps/rerender.json` of the dataset.
 void write_report(const std::filesystem::path& root, const RerenderOptions& options,

@@ -12,7 +12,7 @@
 #include "dataset/relens_draw.h"
 #include "distortion/warp/view_fit.h"
 #include "files/files.h"
-#include "production/progress.h"
+#include "apps/progress.h"
 #include "sampler/recipe/lens_keys.h"
 
 namespace po = boost::program_options;
