@@ -8,7 +8,7 @@
 
 namespace cps {
 namespace {
-constexpr double border_px = 13, least_square_px = 22;
+constexpr double border_px = 13, min_square_px = 22;
 }
 
 CameraParameters label(const Trial& trial) {
@@ -28,7 +28,7 @@ Pinhole base_of(const LensSet& set) {
   return pinhole_from_hfov(set.width, set.height, radians(set.base_hfov_deg));
 }
 
-/// The board from one pose, before any lens.
+/// The board seen from one pose, before any lens.
 Master render_master(const RenderScene& board, const Eigen::Isometry3d& world_from_camera,
                      const Pinhole& camera, std::uint64_t seed) {
   const auto half = [&](std::uint64_t half_seed) {
@@ -48,13 +48,13 @@ std::vector<Trial> draw_trials(const LensSet& set, Stream stream) {
 
 std::vector<BoardCorner> corners_of(const Trial& trial, const Eigen::Isometry3d& world_from_camera) {
   return visible_corners(world_from_camera, trial.lens.crop.camera, trial.lens.distortion, trial.seen,
-                         border_px, least_square_px);
+                         border_px, min_square_px);
 }
 
 std::vector<Trial> photograph_board(const LensSet& set, const RenderScene& board, Stream stream) {
   const Pinhole base = base_of(set);
   const Pinhole master_pinhole = master_camera(base, WarpOptions{}, LensBounds{}.min_eigenvalue);
-  // The quiet end of a recipe's sensors.
+  // The least noisy of the sensors that a recipe draws.
   const SensorOptions sensor{.full_well_min_e = 12000, .read_noise_max_e = 2};
   std::vector<Trial> trials = draw_trials(set, make_stream(stream.key, "lens"));
   for (int v = 0; v < views_per_lens; ++v) {

@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the picture or the noise, as half floats.
+/// Bytes of the picture or of the noise, as half floats.
 std::size_t plane_bytes(const Pinhole& camera, int channels) {
   return static_cast<std::size_t>(camera.width) * camera.height * channels * sizeof(std::uint16_t);
 }
 
-/// What the pixels depend on.
+/// All that the cached pixels depend on.
 std::string cache_key(const std::vector<KeptMaster>& masters, int channels) {
   std::string key = "cps masters 2\nchannels " + std::to_string(channels) + "\n";
   for (const KeptMaster& m : masters)
@@ -27,7 +27,7 @@ std::string cache_key(const std::vector<KeptMaster>& masters, int channels) {
   return key;
 }
 
-/// As half floats: rows of the picture, then of the noise.
+/// Reads a master as half floats: rows of the picture, then of the noise.
 void read_halves(const fs::path& file, const Pinhole& camera, int channels, std::span<std::uint8_t> out) {
   const NoisyMaster master = read_master(file);
   const OIIO::ImageSpec& spec = master.picture.spec();
@@ -48,7 +48,7 @@ Master MasterCache::master(int i) const {
   const Pinhole& camera = masters[i].camera;
   const auto plane = [&](std::size_t offset) {
     const OIIO::ImageSpec half(camera.width, camera.height, channels, OIIO::TypeDesc::HALF);
-    // Only read from.
+    // The memory is mapped for reading; nothing writes to the buffer.
     const OIIO::ImageBuf mapped(half, const_cast<std::uint8_t*>(pixels.blobs[i].data() + offset));
     return mapped.copy(OIIO::TypeDesc::FLOAT);
   };

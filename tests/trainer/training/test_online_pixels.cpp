@@ -16,7 +16,7 @@ using namespace cps;
 namespace {
 
 const Pinhole base = pinhole_from_hfov(174, 64, radians(80.0));
-constexpr double min_eigenvalue = 0.2;
+const double min_eigenvalue = LensBounds{}.min_eigenvalue;
 
 /// Two renders of coloured stripes and slopes, each with noise of its own. Where `fits_halves`, mean and
 /// difference are multiples of 1/256 below 4, which half floats hold exactly.
