@@ -8,11 +8,6 @@ Master master_from_halves(const OIIO::ImageBuf& first, const OIIO::ImageBuf& sec
   return master;
 }
 
-Sensor sensor_of(const SensorOptions& options, Stream stream) {
-  return {.settings = draw_sensor(options, make_stream(stream.key, "settings")),
-          .noise = make_stream(stream.key, "noise")};
-}
-
 OIIO::ImageBuf photograph(const Master& master, const CroppedLens& lens, const Sensor& sensor,
                           PixelFormat format, const std::function<void()>& after_lens) {
   OIIO::ImageBuf image =

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "distortion/crop/cropped_lens.h"
 #include "distortion/warp/render_noise.h"
 #include "sensor/develop.h"
 
@@ -18,29 +19,6 @@ struct Master {
 
 /// The master of a view that was rendered in two halves. Throws as join_halves() does.
 Master master_from_halves(const OIIO::ImageBuf& first, const OIIO::ImageBuf& second, const Pinhole& camera);
-
-/// A lens and the part of its image that is kept.
-struct CroppedLens {
-  Distortion distortion;
-  Pinhole camera;                 ///< of the image
-  Eigen::AlignedBox2d certified;  ///< rectangle on the plane z = 1 on which the lens is one-to-one
-};
-
-/// The sensor as it is for one image.
-struct Sensor {
-  SensorSettings settings;
-  Stream noise;
-};
-
-/// Draws the settings and seeds the noise: a pure function of the arguments.
-Sensor sensor_of(const SensorOptions& options, Stream stream);
-
-/// What the sensor delivers.
-enum class PixelFormat {
-  rgb,    ///< 8-bit sRGB, each channel with noise of its own
-  gray,   ///< 8 bits of a sensor without colours: luminance, then noise, then the sRGB curve
-  linear  ///< floats, 1 = white: exposed only, without noise, clipping or 8 bits
-};
 
 /// The image of a master through a lens and a sensor: warp, exposure, noise, format. Noise is a pure function
 /// of (sensor.noise, pixel, channel). `after_lens` is called between lens and sensor, on the same thread, for

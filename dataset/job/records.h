@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sensor/develop.h"
+#include "sensor/sensor.h"
 
 /// What was found out while making the images and the plan does not know. The journal keeps it until the
 /// dataset is finished.

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "distortion/crop/crop.h"
+#include "distortion/crop/cropped_lens.h"
 #include "numbers/interval.h"
 #include "random/counter_hash.h"
 #include "sampler/lenses/lens_options.h"
-#include "sensor/photograph.h"
 
 namespace cps {
 
@@ -28,7 +28,7 @@ struct DrawnLens {
   std::array<std::optional<Interval>, 7> limits;
 };
 
-/// What photograph() needs of it.
+/// The lens as photograph() takes it.
 inline CroppedLens cropped(const DrawnLens& lens) {
   return {lens.distortion, lens.crop.camera, frame_on_plane(lens.base)};
 }

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sensor/photograph.h"
+#include "sensor/sensor.h"
 
 namespace cps {
 

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "distortion/warp/master_camera.h"
 #include "numbers/angles.h"
 #include "sensor/photograph.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "distortion/warp/master_camera.h"
 #include "files/files.h"
 #include "numbers/angles.h"
 #include "production/view_images.h"
