@@ -7,10 +7,11 @@
 
 namespace cps {
 
-/// The scene of one condition at a time, ready to be rendered.
+/// Keeps the scene of the last condition, ready to render. One is in memory at a time.
 class ConditionScene {
  public:
-  /// The scene under the light of the view's condition; loaded if it is another than before.
+  /// The scene under the light of the view's condition, loaded unless the last call was for the same
+  /// condition. Valid until the next call. Throws as load_scene() does.
   RenderScene& of(const Plan& plan, const PlannedView& view);
 
  private:

@@ -1,12 +1,11 @@
 #include "production/dataset_job.h"
 
+#include <algorithm>
 #include <boost/program_options/parsers.hpp>
-#include <iostream>
 #include <sstream>
 
 #include "dataset/labels/group_label.h"
-#include "production/drive_options.h"
-#include "production/interruption.h"
+#include "production/drive_text.h"
 #include "production/scene_files.h"
 #include "sampler/recipe/rig_file.h"
 
@@ -20,15 +19,15 @@ fs::path city_folder(const fs::path& root) {
   return root / "scenes";
 }
 
-/// `text`, written by to_text(), as options.
-po::variables_map options_of(const std::string& text, const po::options_description& known) {
+/// A recipe as to_text() wrote it.
+Recipe recipe_from_text(const std::string& text) {
   std::istringstream lines(text);
   po::variables_map values;
-  po::store(po::parse_config_file(lines, known), values);
-  return values;
+  po::store(po::parse_config_file(lines, recipe_options()), values);
+  return recipe_from(values);
 }
 
-/// `name` as it is, or, if that is not there, as it is in `folder`.
+/// `name`, or, if there is no such file, `name` in `folder`.
 fs::path found_in(const fs::path& folder, const fs::path& name) {
   return fs::exists(name) ? name : folder / name;
 }
@@ -42,36 +41,28 @@ std::string scenes_text(const DatasetJob& job) {
 
 }  // namespace
 
-DatasetJob job_from_flags(const po::variables_map& values, const fs::path& root) {
-  DatasetJob job{
-      .recipe = recipe_from(values), .rig = {}, .drive = {}, .scenes = {}, .scene_sha256 = {}, .text = {}};
-  const fs::path recipe_folder =
-      values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
-  job.rig = find_rig(job.recipe.rig, recipe_folder);
-  job.drive = drive_options_from(values, job.recipe);
-  job.scenes = plan_scenes(job.recipe, city_folder(root));
-  job.text = {.recipe = to_text(job.recipe),
-              .rig = to_text(job.rig),
-              .drive = to_text(job.drive),
-              .scenes = {},
-              .generator = generator_name(),
-              .folder = fs::current_path()};
-  return job;
+DatasetJob new_job(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& root) {
+  return {.recipe = recipe,
+          .rig = rig,
+          .drive = drive,
+          .scenes = plan_scenes(recipe, city_folder(root)),
+          .text = {.recipe = to_text(recipe),
+                   .rig = to_text(rig),
+                   .drive = to_text(drive),
+                   .generator = generator_name(),
+                   .folder = fs::current_path()}};
 }
 
 DatasetJob job_of_folder(const fs::path& root) try {
   const Job text = read_job(root);
-  DatasetJob job{.recipe = recipe_from(options_of(text.recipe, recipe_options())),
+  const Recipe recipe = recipe_from_text(text.recipe);
+  DatasetJob job{.recipe = recipe,
                  .rig = rig_from_text(text.rig),
-                 .drive = {},
-                 .scenes = {},
-                 .scene_sha256 = {},
+                 .drive = drive_from_text(text.drive),
+                 .scenes = plan_scenes(recipe, city_folder(root)),
                  .text = text};
-  po::options_description drive_keys = drive_flags();
-  drive_keys.add_options()("route_sha256", po::value<std::string>());
-  job.drive = drive_options_from(options_of(text.drive, drive_keys), job.recipe);
+  if (const std::string fault = fault_of(job.drive, recipe); !fault.empty()) throw po::error(fault);
   if (!job.drive.route.empty()) job.drive.route = found_in(text.folder, job.drive.route);
-  job.scenes = plan_scenes(job.recipe, city_folder(root));
   for (PlannedScene& scene : job.scenes)
     if (!scene.city) scene.file = found_in(text.folder, scene.file);
   return job;
@@ -86,11 +77,15 @@ void prepare_scenes(DatasetJob& job, const fs::path& root) {
   require_same_job(root, job.text);
 }
 
-Plan plan_of(const DatasetJob& job) {
+bool has_scenes(const DatasetJob& job) {
+  return std::ranges::all_of(job.scenes, [](const PlannedScene& scene) { return fs::exists(scene.file); });
+}
+
+Plan plan_of(const DatasetJob& job, const Watch& watch) {
   return make_plan(job.recipe, job.rig, job.scenes, [&](const fs::path& file) {
-    if (is_interrupted()) throw Interrupted();
+    if (watch.is_stopped()) throw Interrupted();
     DrivenScene driven = load_driven_scene(file, job.drive);
-    if (!driven.note.empty()) std::cout << driven.note << "\n";
+    if (!driven.note.empty()) watch.noted(driven.note);
     return driven;
   });
 }

@@ -1,41 +1,44 @@
 #pragma once
 
-#include <boost/program_options/variables_map.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "dataset/job/job.h"
+#include "production/watch.h"
 #include "sampler/plan/plan.h"
 #include "scenes/drive/driven_scene.h"
 
 namespace cps {
 
-/// What a dataset will hold, before it is counted out.
+/// All that decides a dataset's bytes, before it is planned.
 struct DatasetJob {
   Recipe recipe;
   Rig rig;
   DriveOptions drive;
   std::vector<PlannedScene> scenes;
-  std::vector<std::string> scene_sha256;  ///< parallel to scenes; empty until prepare_scenes()
-  Job text;                               ///< the same, as its folder knows it
+  std::vector<std::string> scene_sha256 = {};  ///< parallel to scenes; empty until prepare_scenes()
+  Job text;                                    ///< the same as the dataset's folder keeps it
 };
 
-/// The job that flags and recipe file ask for. Nothing is read or made but recipe, rig and route. Throws
-/// std::runtime_error or boost::program_options::error in one line.
-DatasetJob job_from_flags(const boost::program_options::variables_map& values,
-                          const std::filesystem::path& root);
+/// A job that is begun in the folder `root` from the current folder. Reads nothing but the drive's route.
+/// Throws std::runtime_error in one line when it cannot be read.
+DatasetJob new_job(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
+                   const std::filesystem::path& root);
 
-/// The job that was begun in a folder. Relative names of scenes and routes are looked for where the program
-/// is run, then where the job was begun. Throws std::runtime_error in one line.
+/// The job that was begun in the folder `root`. Relative names of scenes and routes are looked for in the
+/// current folder, then in the one where the job was begun. Throws std::runtime_error in one line.
 DatasetJob job_of_folder(const std::filesystem::path& root);
 
-/// Makes the procedural cities that are not there yet, and hashes all scenes. Throws std::runtime_error when
-/// one is missing, or not the one that the folder's job was begun with.
+/// Makes the procedural cities whose files are missing, and hashes all scenes. Throws std::runtime_error when
+/// a scene is missing or is not the one that the folder's job was begun with.
 void prepare_scenes(DatasetJob& job, const std::filesystem::path& root);
 
-/// The plan of a job whose scenes are prepared; says on stdout how scenes without lanes came by them. Throws
-/// as make_plan() does, and Interrupted.
-Plan plan_of(const DatasetJob& job);
+/// Whether the files of all scenes exist.
+bool has_scenes(const DatasetJob& job);
+
+/// The plan of a job whose scenes are prepared. Notes how cars drive through scenes without lanes. Throws as
+/// make_plan() does, and Interrupted when the watch stops it.
+Plan plan_of(const DatasetJob& job, const Watch& watch);
 
 }  // namespace cps

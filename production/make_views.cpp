@@ -7,7 +7,6 @@
 #include <mutex>
 
 #include "production/condition_scene.h"
-#include "production/interruption.h"
 #include "production/view_images.h"
 #include "production/view_render.h"
 #include "numbers/cpu_time.h"
@@ -20,21 +19,21 @@ std::string name_of(const Plan& plan, const PlannedView& view) {
                      view.index, plan.scenes[plan.conditions[view.condition].scene].file.filename().string());
 }
 
-/// A view on its way: rendered, then with its images made.
+/// A view that is rendered, and then its images are made.
 struct ViewInFlight {
   std::int64_t view = 0;
   RenderedHalves halves = {};
   ViewRecord record = {};
 };
 
-/// The stages, and what they share.
+/// The stages of the pipeline and what they share.
 class ViewLine {
  public:
   ViewLine(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
-           const std::filesystem::path& root, Progress& progress)
-      : plan_(plan), views_(views), journal_(journal), root_(root), progress_(progress) {}
+           const std::filesystem::path& root, const Watch& watch)
+      : plan_(plan), views_(views), journal_(journal), root_(root), watch_(watch) {}
 
-  void run(std::size_t most_in_flight) {
+  void run(std::size_t max_in_flight) {
     using Token = std::shared_ptr<ViewInFlight>;
     const auto render = [this](tbb::flow_control& flow) -> Token {
       Token view;
@@ -44,18 +43,18 @@ class ViewLine {
     };
     const auto images = [this](Token view) {
       attempt([&] {
-        view->record = make_images(plan_, view->view, view->halves, root_, image_times_);
+        view->record = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
         view->halves = {};
       });
       return view;
     };
-    const auto write_down = [this](const Token& view) {
+    const auto enter = [this](const Token& view) {
       if (!view->record.images.empty()) attempt([&] { append(view->record); });
     };
-    tbb::parallel_pipeline(
-        most_in_flight, tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order, render) &
-                            tbb::make_filter<Token, Token>(tbb::filter_mode::parallel, images) &
-                            tbb::make_filter<Token, void>(tbb::filter_mode::serial_out_of_order, write_down));
+    tbb::parallel_pipeline(max_in_flight,
+                           tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order, render) &
+                               tbb::make_filter<Token, Token>(tbb::filter_mode::parallel, images) &
+                               tbb::make_filter<Token, void>(tbb::filter_mode::serial_out_of_order, enter));
     if (error_) std::rethrow_exception(error_);
   }
 
@@ -70,8 +69,8 @@ class ViewLine {
   }
 
  private:
-  /// Keeps the first error and lets the views in flight go on to their end: TBB's own way would cut loops in
-  /// the middle of an image, which would then be written.
+  /// Keeps the first error and lets the views in flight be completed. An exception that TBB sees would cancel
+  /// the loops inside other images, which would then be written with pixels missing.
   template <typename Work>
   void attempt(Work&& work) {
     try {
@@ -84,17 +83,18 @@ class ViewLine {
     }
   }
 
-  bool must_stop() const { return has_failed_ || is_interrupted(); }
+  bool must_stop() const { return has_failed_ || watch_.is_stopped(); }
 
-  /// Null when there is nothing more to do.
+  /// Null when no view is left or the work must stop.
   std::shared_ptr<ViewInFlight> render_next() {
     if (must_stop() || next_ == views_.size()) return nullptr;
     auto in_flight = std::make_shared<ViewInFlight>(ViewInFlight{.view = views_[next_++]});
     const PlannedView& view = plan_.views[in_flight->view];
     was_given_up_ = true;  // until it is rendered
-    in_flight->halves = render_halves(plan_, view, view.master, loaded_.of(plan_, view), [this](int, int) {
-      if (must_stop()) throw Interrupted();
-    });
+    in_flight->halves =
+        render_halves(plan_.recipe, view, view.master, loaded_.of(plan_, view), [this](int, int) {
+          if (must_stop()) throw Interrupted();
+        });
     summary_.cpu.render_s += in_flight->halves.cpu_s;
     was_given_up_ = false;
     return in_flight;
@@ -105,14 +105,14 @@ class ViewLine {
     const auto images = static_cast<std::int64_t>(record.images.size());
     ++summary_.views;
     summary_.images += images;
-    progress_.advance(images, name_of(plan_, plan_.views[record.view]));
+    watch_.advanced(images, name_of(plan_, plan_.views[record.view]));
   }
 
   const Plan& plan_;
   const std::vector<std::int64_t>& views_;
   Journal& journal_;
   const std::filesystem::path& root_;
-  Progress& progress_;
+  const Watch& watch_;
 
   std::size_t next_ = 0;
   bool was_given_up_ = false;
@@ -131,8 +131,8 @@ std::string MakeViewsSummary::brief() const {
   const auto share = [&](double seconds) { return cpu_s > 0 ? 100 * seconds / cpu_s : 0.0; };
   return fmt::format(
       "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %, warp {:.1f} %, "
-      "develop "
-      "{:.1f} %, encode {:.1f} %, write {:.1f} %, scenes and the rest {:.1f} %; {} threads {:.1f} % busy",
+      "develop {:.1f} %, encode {:.1f} %, write {:.1f} %, scenes and the rest {:.1f} %; {} threads {:.1f} % "
+      "busy",
       views, images, wall_s, wall_s > 0 ? static_cast<double>(images) / wall_s : 0.0, cpu_s,
       share(cpu.render_s), share(cpu.warp_s), share(cpu.develop_s), share(cpu.encode_s), share(cpu.write_s),
       share(cpu_s - cpu.render_s - post_s), threads, wall_s > 0 ? 100 * cpu_s / (wall_s * threads) : 0.0);
@@ -143,12 +143,12 @@ int views_in_flight(int threads) {
 }
 
 MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
-                            const std::filesystem::path& root, int threads, Progress& progress) {
+                            const std::filesystem::path& root, int threads, const Watch& watch) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double cpu_begin_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
-  OIIO::attribute("threads", 1);  // all threads are TBB's
-  ViewLine line(plan, views, journal, root, progress);
+  OIIO::attribute("threads", 1);  // OpenImageIO starts none of its own: all threads are TBB's
+  ViewLine line(plan, views, journal, root, watch);
   line.run(static_cast<std::size_t>(views_in_flight(threads)));
   MakeViewsSummary summary = line.summary();
   summary.threads = threads;

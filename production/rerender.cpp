@@ -10,7 +10,6 @@
 #include "dataset/pixels/image_file.h"
 #include "files/files.h"
 #include "production/condition_scene.h"
-#include "production/progress.h"
 #include "production/view_render.h"
 #include "random/shuffle.h"
 #include "renderer/materials/srgb.h"
@@ -85,11 +84,10 @@ FrameRow frame_of(const std::filesystem::path& root, const std::filesystem::path
 }  // namespace
 
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
-                                      const RerenderOptions& options) {
+                                      const RerenderOptions& options, const Watch& watch) {
   const std::vector<ChosenImage> chosen = choose_images(plan, options);
   std::vector<RerenderedImage> images;
   ConditionScene loaded;
-  Progress progress("images", 0, static_cast<std::int64_t>(chosen.size()));
   for (const ChosenImage& image : chosen) {
     const PlannedView& view = plan.views[image.view];
     const std::string file = plan.groups[image.group].folder + "/" + image_name(plan, view);
@@ -102,9 +100,8 @@ std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const P
     RerenderedImage result{.file = file, .registration = register_pictures(again, stored), .fault = {}};
     result.fault = fault_of(result.registration, options);
     images.push_back(result);
-    progress.advance(1, file);
+    watch.advanced(1, file);
   }
-  progress.finish();
   return images;
 }
 

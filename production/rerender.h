@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataset/verify/registration.h"
+#include "production/watch.h"
 #include "sampler/plan/plan.h"
 
 namespace cps {
@@ -29,7 +30,7 @@ struct RerenderedImage {
 /// no crop, no warp. An image that agrees proves its label and its pose. Of the plan only scene, light and
 /// the renderer's settings are used. Throws std::runtime_error with one line.
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
-                                      const RerenderOptions& options);
+                                      const RerenderOptions& options, const Watch& watch);
 
 /// Writes the comparison to `.cps/rerender.json` in the dataset.
 void write_report(const std::filesystem::path& root, const RerenderOptions& options,

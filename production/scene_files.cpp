@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Makes the cities that are missing; does not `wait` for those that another process is making.
+/// Makes the missing cities. Those that another process is making it skips or, with `wait`, waits for.
 void make_missing_cities(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder, bool wait) {
   for (const PlannedScene& scene : scenes) {
     if (!scene.city || fs::exists(scene.file)) continue;

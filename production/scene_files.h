@@ -9,15 +9,16 @@
 
 namespace cps {
 
-/// Makes the files of procedural cities that are not there yet. Processes that do so at the same time share
-/// the work: a city is made by the one that holds its lock in `lock_folder`. Throws std::runtime_error when
-/// another scene's file is missing.
+/// Makes the missing files of procedural cities. Processes that do so at the same time share the work: a city
+/// is made by the process that holds its lock in `lock_folder`. Throws std::runtime_error when the file of a
+/// scene that is no procedural city is missing.
 void make_scene_files(const std::vector<PlannedScene>& scenes, const std::filesystem::path& lock_folder);
 
-/// The scene as its views see it: in metres, with the car's bonnet where the recipe wants it.
+/// The scene as it is rendered: in metres, with the car's bonnet if the recipe asks for it. Throws as
+/// import_gltf() does.
 Scene load_scene(const PlannedScene& planned, const Recipe& recipe);
 
-/// SHA-256 of each file.
+/// SHA-256 of each scene's file.
 std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes);
 
 }  // namespace cps

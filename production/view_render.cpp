@@ -7,15 +7,15 @@ Camera camera_of(const PlannedView& view, const Pinhole& pinhole) {
           .pinhole = pinhole};
 }
 
-RenderedHalves render_halves(const Plan& plan, const PlannedView& view, const Pinhole& pinhole,
+RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, const Pinhole& pinhole,
                              RenderScene& scene, const TileProgress& progress) {
   put_car(scene, world_from_vehicle(view.place));
   RenderedHalves halves;
   const auto render_half = [&](const char* stream) {
     RenderSummary summary;
     OIIO::ImageBuf half = render(scene, camera_of(view, pinhole),
-                                 {.samples = plan.recipe.samples / 2,
-                                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
+                                 {.samples = recipe.samples / 2,
+                                  .max_shaded_vertices = recipe.max_shaded_vertices,
                                   .seed = make_stream(view.seed, stream).key,
                                   .progress = progress},
                                  &summary);

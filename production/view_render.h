@@ -5,18 +5,19 @@
 
 namespace cps {
 
-/// A view's undistorted, linear, oversampled render, as two halves of its samples.
+/// A view's undistorted, linear, oversampled render: two images, each with half of the samples.
 struct RenderedHalves {
   OIIO::ImageBuf first, second;
-  double cpu_s = 0;  ///< that both took
+  double cpu_s = 0;  ///< CPU seconds of both
 };
 
-/// Where the view's rig camera stands, seeing what `pinhole` does.
+/// The view's rig camera in the world, with `pinhole` as its intrinsics.
 Camera camera_of(const PlannedView& view, const Pinhole& pinhole);
 
-/// Puts the car where the view has it, and renders what `pinhole` sees, the view's master or one like it.
-/// `progress` may throw.
-RenderedHalves render_halves(const Plan& plan, const PlannedView& view, const Pinhole& pinhole,
+/// Moves the car to the view's place and renders with `pinhole`, which is the view's master camera or a
+/// smaller one, by the recipe's samples and path length. `progress` is called after each tile; what it throws
+/// ends the render.
+RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, const Pinhole& pinhole,
                              RenderScene& scene, const TileProgress& progress = {});
 
 }  // namespace cps

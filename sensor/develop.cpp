@@ -10,10 +10,10 @@
 namespace cps {
 namespace {
 
-constexpr double key = 0.18;
+constexpr double key = 0.18;  ///< share of white to which the mean luminance is brought
 
-/// The linear values at which the rounded 8-bit sRGB code steps up: code(v) = how many thresholds v has
-/// reached. A table search instead of a power per value, and exact.
+/// The linear values at which the rounded 8-bit sRGB code steps up: code(v) is the number of thresholds ≤ v.
+/// Searching the table is exact and cheaper than a power per value.
 std::array<float, 255> srgb_thresholds() {
   std::array<float, 255> thresholds;
   for (int code = 1; code <= 255; ++code) {
@@ -29,37 +29,7 @@ std::uint8_t srgb_code(const std::array<float, 255>& thresholds, float linear) {
   return static_cast<std::uint8_t>(above - thresholds.begin());
 }
 
-bool is_range(double low, double high, double least, double most) {
-  return std::isfinite(low) && std::isfinite(high) && least <= low && low <= high && high <= most;
-}
-
 }  // namespace
-
-bool SensorOptions::is_valid(std::string* why) const {
-  if (!is_range(exposure_bias_min_ev, exposure_bias_max_ev, -10, 10)) {
-    *why = "exposure_bias_min_ev ≤ exposure_bias_max_ev must lie in [-10, 10]";
-    return false;
-  }
-  if (!is_range(full_well_min_e, full_well_max_e, 1, 1e7)) {
-    *why = "full_well_min_e ≤ full_well_max_e must lie in [1, 1e7]";
-    return false;
-  }
-  if (!is_range(read_noise_min_e, read_noise_max_e, 0, 1e4)) {
-    *why = "read_noise_min_e ≤ read_noise_max_e must lie in [0, 1e4]";
-    return false;
-  }
-  return true;
-}
-
-SensorSettings draw_sensor(const SensorOptions& options, Stream stream) {
-  // Log-uniform: noise is judged in ratios.
-  const double full_well = std::exp(
-      random_uniform(stream, 1, std::log(options.full_well_min_e), std::log(options.full_well_max_e)));
-  return {.exposure_bias_ev =
-              random_uniform(stream, 0, options.exposure_bias_min_ev, options.exposure_bias_max_ev),
-          .full_well_e = full_well,
-          .read_noise_e = random_uniform(stream, 2, options.read_noise_min_e, options.read_noise_max_e)};
-}
 
 double meter_exposure(const OIIO::ImageBuf& linear_master) {
   const int width = linear_master.spec().width, height = linear_master.spec().height;

@@ -2,12 +2,12 @@
 
 #include <iostream>
 
+#include "apps/interruption.h"
 #include "apps/options.h"
 #include "apps/verbs.h"
 #include "dataset/job/gaps.h"
 #include "dataset/job/journal.h"
 #include "production/dataset_job.h"
-#include "production/interruption.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -15,14 +15,13 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage =
-    "cps finish DATASET\n"
-    "Makes a dataset of what cps generate --shard made, on however many machines: joins the journals, says "
-    "what "
-    "is missing, or writes the lists and dataset.json. Recipe and scenes are those that the folder was begun "
-    "with.\n"
-    "Exit status: 0 finished, 1 views are missing, or failed, 75 interrupted, or other processes still work "
-    "there: run it again.\n";
+constexpr const char* usage = R"(cps finish DATASET
+Completes a dataset whose shares cps generate --shard made, on any number of machines: joins the journals, and
+either lists the views that are missing or writes the split lists and dataset.json. Recipe and scenes are those
+that the folder was begun with.
+Exit status: 0 finished, 1 views are missing, or failed, 75 interrupted, or other processes still work there:
+run it again.
+)";
 
 int finish(const fs::path& root) {
   const std::string name = root.string();
@@ -35,7 +34,7 @@ int finish(const fs::path& root) {
   if (!folder.is_held())
     throw HeldByAnother(name + ": other processes still work there; run it again when they are done");
   prepare_scenes(job, root);
-  const Plan plan = plan_of(job);
+  const Plan plan = plan_of(job, interruptible_watch());
   const JournalLines journals = read_journals(root);
   const Gaps gaps = find_gaps(root, plan, journals.views);
   if (!gaps.views.empty()) {

@@ -2,18 +2,16 @@
 #include <tbb/info.h>
 
 #include <iostream>
-#include <set>
 
+#include "apps/dataset/job_flags.h"
 #include "apps/dataset/recipe_file.h"
+#include "apps/interruption.h"
 #include "apps/options.h"
+#include "apps/progress.h"
 #include "apps/verbs.h"
 #include "dataset/job/finish.h"
-#include "dataset/job/gaps.h"
-#include "dataset/labels/group_label.h"
-#include "production/dataset_job.h"
-#include "production/drive_options.h"
-#include "production/interruption.h"
 #include "production/make_views.h"
+#include "production/remaining_views.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -22,14 +20,13 @@ namespace cps {
 namespace {
 
 constexpr const char* usage =
-    "cps generate --recipe FILE --out DIR [--shard I/N] [--KEY VALUE …]\n"
-    "Makes a dataset: plans every view and lens, renders each view once, and sends it through its lenses and "
-    "the sensor.\n"
-    "Run it again after an interruption and it finishes the job; a finished job is left alone. With --shard "
-    "it "
-    "makes one of N shares of the images, and cps finish makes a dataset of them when all are there.\n"
-    "Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT, or another "
-    "process makes the same: run it again.\n";
+    R"(cps generate --recipe FILE --out DIR [--shard I/N] [--KEY VALUE …]
+Makes a dataset: plans every view and lens, renders each view once, and photographs it through its lenses.
+Run the same command again after an interruption to continue; a finished dataset is left alone. With --shard
+it makes one of N shares of the images; when all N are made, cps finish completes the dataset.
+Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT, or another process makes
+the same images: run it again.
+)";
 
 Shard shard_from(const po::variables_map& values) {
   if (values.count("shard") == 0) return {};
@@ -41,53 +38,24 @@ Shard shard_from(const po::variables_map& values) {
   }
 }
 
-/// What of the shard is still to be made, and how many of its images are there.
-struct Remainder {
-  std::vector<std::int64_t> views;
-  std::int64_t images = 0, made_images = 0;
-};
-
-Remainder remainder_of(const Plan& plan, const Shard& shard, const fs::path& root) {
-  const JournalLines known = read_journals(root);
-  if (known.unreadable > 0)
-    std::cout << root.string() << ": " << known.unreadable
-              << " damaged lines in the journals; their views are made again\n";
-  Remainder remainder;
-  const ViewRange range = views_of(plan, shard);
-  for (std::int64_t v = range.begin; v < range.end; ++v) {
-    const auto images = static_cast<std::int64_t>(plan.views[v].groups.size());
-    remainder.images += images;
-    if (is_made(root, plan, v, known.views))
-      remainder.made_images += images;
-    else
-      remainder.views.push_back(v);
-  }
-  return remainder;
-}
-
-void write_labels(const Plan& plan, const std::vector<std::int64_t>& views, const fs::path& root) {
-  std::set<int> groups;
-  for (std::int64_t v : views) groups.insert(plan.views[v].groups.begin(), plan.views[v].groups.end());
-  for (int g : groups) write_label(root, plan, plan.groups[g]);
-}
-
-/// Makes what is missing of the shard. False when a signal came before it was whole.
-bool make_shard(const Plan& plan, const Shard& shard, Journal& journal, const fs::path& root, int threads) {
-  const Remainder remainder = remainder_of(plan, shard, root);
-  std::cout << remainder.views.size() << " views to make" << std::endl;
-  if (remainder.views.empty()) return true;
-  write_labels(plan, remainder.views, root);
-  Progress progress("images", remainder.made_images, remainder.images);
-  const MakeViewsSummary summary = make_views(plan, remainder.views, journal, root, threads, progress);
+/// Makes the remaining views of a shard. Throws Interrupted when a signal came before all were made.
+void make_remaining(const Plan& plan, const RemainingViews& remaining, Journal& journal, const fs::path& root,
+                    int threads, Watch watch) {
+  write_labels(plan, remaining.views, root);
+  Progress progress("images", remaining.made_images, remaining.shard_images);
+  watch.advance = [&](std::int64_t images, const std::string& view) { progress.advance(images, view); };
+  const MakeViewsSummary summary = make_views(plan, remaining.views, journal, root, threads, watch);
   progress.finish();
   std::cout << summary.brief() << "\n";
-  return !summary.is_interrupted;
+  if (summary.is_interrupted) throw Interrupted();
 }
 
 int generate(const po::variables_map& values, int threads) {
   const fs::path root = values["out"].as<std::string>();
   const std::string name = root.string();
   const Shard shard = shard_from(values);
+  const Watch watch = interruptible_watch();
+
   DatasetJob job = job_from_flags(values, root);
   require_same_job(root, job.text);
   if (is_finished(root)) {
@@ -95,7 +63,7 @@ int generate(const po::variables_map& values, int threads) {
     return 0;
   }
   prepare_scenes(job, root);
-  const Plan plan = plan_of(job);
+  const Plan plan = plan_of(job, watch);
 
   FileLock folder(folder_lock(root), FileLock::Kind::shared);
   if (!folder.is_held()) throw HeldByAnother(name + ": is just being finished by another process");
@@ -103,10 +71,14 @@ int generate(const po::variables_map& values, int threads) {
   Journal journal(root, shard);
   std::cout << name << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
             << image_count(plan) << " images; " << plan.places.brief() << "\n";
-  if (shard.count > 1) std::cout << "shard " << to_string(shard) << ": ";
-  if (!make_shard(plan, shard, journal, root, threads)) throw Interrupted();
+
+  const RemainingViews remaining = remaining_views(plan, shard, root, watch);
+  const std::string share = shard.count > 1 ? "shard " + to_string(shard) + ": " : "";
+  std::cout << share << remaining.views.size() << " views to make" << std::endl;
+  if (!remaining.views.empty()) make_remaining(plan, remaining, journal, root, threads, watch);
+
   if (shard.count > 1) {
-    std::cout << "shard " << to_string(shard) << ": made; when all are: cps finish " << name << "\n";
+    std::cout << share << "made; when all are: cps finish " << name << "\n";
     return 0;
   }
   if (!folder.make_exclusive()) {
@@ -124,7 +96,7 @@ int generate(const po::variables_map& values, int threads) {
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of one that is installed, as cps-v2")(
+                        "recipe file, or the name of an installed recipe, such as cps-v2")(
       "out", po::value<std::string>()->required(), "the dataset's folder")(
       "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4")(
       "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");

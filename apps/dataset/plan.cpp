@@ -3,12 +3,11 @@
 
 #include <iostream>
 
+#include "apps/dataset/job_flags.h"
 #include "apps/dataset/recipe_file.h"
 #include "apps/options.h"
 #include "apps/verbs.h"
 #include "production/costs/bill.h"
-#include "production/dataset_job.h"
-#include "production/drive_options.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -17,11 +16,12 @@ namespace cps {
 namespace {
 
 constexpr const char* usage =
-    "cps plan --recipe FILE [--cores N] [--price P] [--out DIR] [--json] [--KEY VALUE …]\n"
-    "What a dataset will take before it is begun: images, core-hours, memory, disk, time, money. A few views "
-    "are really rendered, in a temporary folder.\n";
+    R"(cps plan --recipe FILE [--cores N] [--price P] [--out DIR] [--json] [--KEY VALUE …]
+Estimates what a dataset takes before it is begun: images, core-hours, memory, disk, time, money. Renders a few
+views of the recipe in a temporary folder and extrapolates.
+)";
 
-/// Free space where the folder is, or will be.
+/// Free space on the disk where the folder is or would be made.
 double free_bytes(fs::path folder) {
   folder = fs::absolute(folder);
   while (!fs::exists(folder) && folder.has_parent_path() && folder != folder.parent_path())
@@ -34,13 +34,16 @@ double free_bytes(fs::path folder) {
 int cps_plan(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of one that is installed, as cps-v2")(
-      "out", po::value<std::string>()->default_value("."), "where the dataset would go: for its free space")(
-      "cores", po::value<int>()->default_value(tbb::info::default_concurrency()), "for the time it takes")(
-      "price", po::value<double>()->default_value(0), "of a core-hour")(
-      "conditions", po::value<int>()->default_value(5), "so many are measured, a view of every set in each")(
+                        "recipe file, or the name of an installed recipe, such as cps-v2")(
+      "out", po::value<std::string>()->default_value("."),
+      "the dataset's folder, to compare with the free space there")(
+      "cores", po::value<int>()->default_value(tbb::info::default_concurrency()),
+      "cores that will share the work, to estimate the time")("price", po::value<double>()->default_value(0),
+                                                              "price of a core-hour")(
+      "conditions", po::value<int>()->default_value(5),
+      "conditions to measure, with one view of each size and H-FOV in each")(
       "threads", po::value<int>()->default_value(tbb::info::default_concurrency()),
-      "how many to measure with")("json", "machine-readable");
+      "threads to measure with")("json", "print JSON");
   options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iostream>
 
+#include "apps/interruption.h"
 #include "apps/options.h"
+#include "apps/progress.h"
 #include "apps/verbs.h"
 #include "dataset/verify/verify_plan.h"
 #include "production/dataset_job.h"
@@ -17,34 +19,29 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage =
-    "cps verify DATASET [--rerender N]\n"
-    "Checks every file of a finished dataset against its labels, and every label against itself. Where the "
-    "job "
-    "and its scenes are there, the plan is made again and labels, lists and poses are compared with it. "
-    "With --rerender N drawn images are rendered again through the lens of their label, ray by ray, and "
-    "compared with what is stored; the figures go to .cps/rerender.json. Exit 1 when something is wrong.\n";
+constexpr const char* usage = R"(cps verify DATASET [--rerender N]
+Checks every file of a finished dataset against its labels, and every label against itself. If the job's file
+and its scenes are there, plans the dataset again and compares labels, lists and poses with that plan.
+With --rerender N renders N randomly chosen images again through the lens of their label, ray by ray, and
+compares them with the stored ones; the figures go to .cps/rerender.json. Exit status: 1 when something is
+wrong.
+)";
 
-bool are_scenes_there(const DatasetJob& job) {
-  return std::all_of(job.scenes.begin(), job.scenes.end(),
-                     [](const PlannedScene& scene) { return fs::exists(scene.file); });
-}
-
-/// One line, also in the report.
+/// One line about all images rendered again.
 std::string brief(const std::vector<RerenderedImage>& images) {
-  double shift = 0, blocks = 0, least_db = 1e30;
+  double shift = 0, blocks = 0, min_db = 1e30;
   for (const RerenderedImage& image : images) {
     const Registration& found = image.registration;
     shift = std::max(shift, std::hypot(found.shift_x_px, found.shift_y_px));
     blocks = std::max(blocks, found.block_rms_px);
-    least_db = std::min(least_db, found.psnr_db);
+    min_db = std::min(min_db, found.psnr_db);
   }
   return fmt::format(
       "{} images rendered again: shifts up to {:.3f} px, blocks up to {:.3f} px rms, at least {:.1f} dB",
-      images.size(), shift, blocks, least_db);
+      images.size(), shift, blocks, min_db);
 }
 
-/// What planning and rendering again finds wrong.
+/// What planning the dataset and rendering images again finds wrong.
 std::vector<std::string> faults_by_making_again(const fs::path& root, const RerenderOptions& options) {
   const auto skip = [&](const std::string& why) -> std::vector<std::string> {
     if (options.images > 0) throw std::runtime_error(root.string() + ": " + why + ", which --rerender needs");
@@ -53,12 +50,16 @@ std::vector<std::string> faults_by_making_again(const fs::path& root, const Rere
   };
   if (!has_job(root)) return skip("has no .cps/job.json");
   DatasetJob job = job_of_folder(root);
-  if (!are_scenes_there(job)) return skip("its scenes are not there");
+  if (!has_scenes(job)) return skip("its scenes are not there");
   prepare_scenes(job, root);
-  const Plan plan = plan_of(job);
+  const Plan plan = plan_of(job, interruptible_watch());
   std::vector<std::string> faults = faults_against_plan(root, plan);
   if (options.images == 0) return faults;
-  const std::vector<RerenderedImage> images = rerender(root, plan, options);
+  Progress progress("images", 0, std::min<std::int64_t>(options.images, image_count(plan)));
+  const std::vector<RerenderedImage> images = rerender(
+      root, plan, options,
+      {.advance = [&](std::int64_t more, const std::string& file) { progress.advance(more, file); }});
+  progress.finish();
   write_report(root, options, images);
   std::cout << brief(images) << "\n";
   for (const RerenderedImage& image : images)
@@ -72,9 +73,11 @@ int cps_verify(const Arguments& arguments) {
   RerenderOptions again;
   po::options_description options("Options");
   options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder")(
-      "rerender", po::value(&again.images)->default_value(again.images), "so many drawn images")(
-      "samples", po::value(&again.samples)->default_value(again.samples), "per pixel, to render them with")(
-      "seed", po::value(&again.seed)->default_value(again.seed), "of their draw");
+      "rerender", po::value(&again.images)->default_value(again.images),
+      "how many randomly chosen images to render again")(
+      "samples", po::value(&again.samples)->default_value(again.samples),
+      "samples per pixel of those renders")("seed", po::value(&again.seed)->default_value(again.seed),
+                                            "seed of the random choice");
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;

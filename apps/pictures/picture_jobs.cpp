@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "production/progress.h"
+#include "apps/progress.h"
 
 namespace fs = std::filesystem;
 

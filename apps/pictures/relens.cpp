@@ -6,13 +6,13 @@
 
 #include "apps/options.h"
 #include "apps/pictures/picture_file.h"
+#include "apps/progress.h"
 #include "apps/verbs.h"
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/exchange/camera_pictures.h"
 #include "dataset/relens_draw.h"
 #include "distortion/warp/view_fit.h"
 #include "files/files.h"
-#include "production/progress.h"
 #include "sampler/recipe/lens_keys.h"
 
 namespace po = boost::program_options;
@@ -58,7 +58,9 @@ std::vector<CameraPictures> sources(const RelensRequest& r) {
   return cameras;
 }
 
-/// Straightens each picture, and sends it through every lens. Returns the names of what it wrote.
+/// Straightens each picture and warps it through every lens. Only warps: the pictures have passed a sensor,
+/// whose exposure and noise they keep, so photograph() has nothing to add. Returns the names of the files
+/// written.
 std::string make_images(const CameraPictures& source, const Pinhole& straight,
                         const std::vector<RelensGroup>& groups, const fs::path& root, Progress& progress) {
   std::string names;

@@ -14,7 +14,7 @@
 #include "apps/render/view.h"
 #include "apps/verbs.h"
 #include "numbers/angles.h"
-#include "production/progress.h"
+#include "apps/progress.h"
 #include "renderer/aov.h"
 #include "renderer/memory_estimate.h"
 #include "scenes/diffuse_materials.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sensor/develop.h"
+#include "sensor/sensor.h"
 
 /// Facts about the images that are measured or drawn while they are made, so the plan does not hold them. The
 /// journal keeps them until the dataset is finished.

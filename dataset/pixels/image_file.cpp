@@ -34,11 +34,15 @@ std::string encode_jpeg(const OIIO::ImageBuf& image, int quality) {
   return encode_by_oiio("jpg", spec, image);
 }
 
+OIIO::ImageBuf in_half_range(const OIIO::ImageBuf& image) {
+  return OIIO::ImageBufAlgo::clamp(image, 0.0f, largest_half);
+}
+
 std::string encode_exr(const OIIO::ImageBuf& image) {
   OIIO::ImageSpec spec(image.spec().width, image.spec().height, 3, OIIO::TypeDesc::HALF);
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "1970:01:01 00:00:00");  // otherwise OpenImageIO writes the time of day
-  return encode_by_oiio("exr", spec, OIIO::ImageBufAlgo::clamp(image, 0.0f, largest_half));
+  return encode_by_oiio("exr", spec, in_half_range(image));
 }
 
 /// All pixels of an opened file; `name` is for error messages.
@@ -51,9 +55,10 @@ OIIO::ImageBuf pixels_of(OIIO::ImageInput* in, OIIO::TypeDesc type, const std::s
   return pixels;
 }
 
-std::string pixels_sha256_of_file(const char* name, const std::string& bytes, OIIO::TypeDesc type) {
+/// The pixels of a file in memory; `name` tells its format.
+OIIO::ImageBuf decoded(const char* name, const std::string& bytes, OIIO::TypeDesc type) {
   OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
-  return pixels_sha256(pixels_of(OIIO::ImageInput::open(name, nullptr, &memory).get(), type, name));
+  return pixels_of(OIIO::ImageInput::open(name, nullptr, &memory).get(), type, name);
 }
 
 }  // namespace
@@ -76,9 +81,16 @@ std::string pixels_sha256(const OIIO::ImageBuf& image) {
 }
 
 std::string stored_pixels_sha256(const OIIO::ImageBuf& image, ImageFormat format, const std::string& bytes) {
-  if (format == ImageFormat::jpeg) return pixels_sha256_of_file("image.jpg", bytes, OIIO::TypeDesc::UINT8);
-  if (format == ImageFormat::exr) return pixels_sha256_of_file("image.exr", bytes, OIIO::TypeDesc::HALF);
+  if (format == ImageFormat::jpeg) return pixels_sha256(decoded("image.jpg", bytes, OIIO::TypeDesc::UINT8));
+  if (format == ImageFormat::exr) return pixels_sha256(decoded("image.exr", bytes, OIIO::TypeDesc::HALF));
   return pixels_sha256(image);
+}
+
+OIIO::ImageBuf stored_pixels(const OIIO::ImageBuf& image, ImageFormat format, int jpeg_quality) {
+  if (format == ImageFormat::jpeg)
+    return decoded("image.jpg", encode_jpeg(image, jpeg_quality), OIIO::TypeDesc::UINT8);
+  if (format == ImageFormat::exr) return in_half_range(image).copy(OIIO::TypeDesc::HALF);
+  return image;
 }
 
 }  // namespace cps

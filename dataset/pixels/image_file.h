@@ -26,4 +26,8 @@ std::string pixels_sha256(const OIIO::ImageBuf& image);
 /// from `image` in lossy formats.
 std::string stored_pixels_sha256(const OIIO::ImageBuf& image, ImageFormat format, const std::string& bytes);
 
+/// The pixels that a reader finds in the file of `image`: what JPEG or half floats leave of it, else `image`
+/// itself. Throws as encode_image() does.
+OIIO::ImageBuf stored_pixels(const OIIO::ImageBuf& image, ImageFormat format, int jpeg_quality);
+
 }  // namespace cps

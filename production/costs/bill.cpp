@@ -33,16 +33,16 @@ Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilo
   Bill bill{.counts = counts,
             .peak_bytes = pilot.peak_bytes + (views_in_flight(threads) - 1) * pilot.view_bytes};
 
-  // Each measured condition foretells the whole; their mean is the estimate, and they tell how sure it is.
-  std::vector<double> foretold_h;
+  // Each measured condition gives an estimate of the whole; their spread gives the mean's standard error.
+  std::vector<double> estimated_h;
   for (const std::vector<double>& of_condition : pilot.render_cpu_s) {
     double seconds = 0;
     for (std::size_t set = 0; set < sets; ++set) seconds += of_condition[set] * views_of_set(set);
-    foretold_h.push_back(seconds * pilot.full_size_ratio / hour_s);
+    estimated_h.push_back(seconds * pilot.full_size_ratio / hour_s);
   }
-  bill.render_core_h = mean(foretold_h);
-  bill.core_h_error = deviation(foretold_h) / std::sqrt(static_cast<double>(foretold_h.size()));
-  double squared_error_h = 0;  // as if every view had a condition of its own
+  bill.render_core_h = mean(estimated_h);
+  bill.core_h_error = deviation(estimated_h) / std::sqrt(static_cast<double>(estimated_h.size()));
+  double squared_error_h = 0;  // as if every view had its own condition
   for (std::size_t set = 0; set < sets; ++set) {
     std::vector<double> view_s;
     for (const std::vector<double>& of_condition : pilot.render_cpu_s)

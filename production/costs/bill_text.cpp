@@ -23,7 +23,7 @@ double dataset_bytes(const Bill& bill) {
   return bill.image_bytes + bill.scene_bytes;
 }
 
-/// A line for each size, a column for each H-FOV.
+/// Table of rates: a row for each size, a column for each H-FOV.
 std::string rates_text(const Recipe& recipe, const std::vector<double>& set_images_per_core_h) {
   const bool is_base = recipe.hfov_deg.empty();
   const std::vector<double>& hfovs = is_base ? recipe.base_hfov_deg : recipe.hfov_deg;
@@ -48,8 +48,8 @@ std::string to_text(const Recipe& recipe, const Bill& bill, const Pilot& pilot, 
       "{}: {} images in {} folders, of {} views in {} conditions of {} scenes\n"
       "  render     {:>10.3g} core-hours\n"
       "  images     {:>10.3g} core-hours: warp, sensor, encoding\n"
-      "  scenes     {:>10.3g} core-hours: making, loading\n"
-      "  places     {:>10.3g} core-hours, in every shard again\n"
+      "  scenes     {:>10.3g} core-hours: made and loaded\n"
+      "  places     {:>10.3g} core-hours: drawn again in every shard\n"
       "  all        {:>10.3g} core-hours, standard error {:.2g}; {:.3g} images a core-hour\n",
       recipe.name, n.images, n.groups, n.views, n.conditions, n.scenes, bill.render_core_h,
       bill.images_core_h, bill.scenes_core_h, bill.plan_core_h, bill.core_h, bill.core_h_error,
@@ -67,8 +67,10 @@ std::string to_text(const Recipe& recipe, const Bill& bill, const Pilot& pilot, 
                       dataset_bytes(bill) > resources.free_bytes ? ": NOT ENOUGH" : "");
   text += rates_text(recipe, bill.set_images_per_core_h);
   text += fmt::format(
-      "Measured: {} views in {} conditions, small; {} at full size with {} images, which took {:.2f} of what "
-      "the small ones foretell. Renders of one size and H-FOV differ by {:.0f} %.\n",
+      "Measured: {} views in {} conditions at reduced size; {} at full size with {} images, whose renders "
+      "took "
+      "{:.2f} of the time estimated from the reduced ones. Render times of one size and H-FOV vary by {:.0f} "
+      "%.\n",
       pilot.views, pilot.render_cpu_s.size(), pilot.full_size_views, pilot.images, pilot.full_size_ratio,
       100 * bill.view_cpu_s_spread);
   return text;

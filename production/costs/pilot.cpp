@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-/// Master pixels of a small render: enough for stable timings, a second or so.
+/// Master pixels of a reduced render: about a second, enough for a stable timing.
 constexpr double small_pixels = 150'000;
 
 double process_cpu_s() {
@@ -32,7 +32,7 @@ std::int64_t peak_bytes() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
 }
 
-/// Removed at the end, with all that is in it.
+/// A temporary folder that is removed with its contents.
 struct ScratchFolder {
   fs::path path;
   ScratchFolder() {
@@ -46,8 +46,8 @@ struct ScratchFolder {
   }
 };
 
-/// All sets with a view in each of a few conditions. A condition is chosen for its scene: the recipe's first
-/// ones, as cities' styles are dealt in turn.
+/// The recipe with all sets but only a few conditions. Conditions are chosen by scene: the recipe's first
+/// scenes, because the styles of its cities alternate.
 Recipe pilot_recipe(Recipe recipe, int conditions) {
   const auto keep = [&](auto& list, int count) {
     list.resize(std::min(list.size(), static_cast<std::size_t>(std::max(0, count))));
@@ -60,7 +60,8 @@ Recipe pilot_recipe(Recipe recipe, int conditions) {
   left -= recipe.cities;
   const int scenes = conditions - left;
   recipe.conditions_per_scene = std::min(recipe.conditions_per_scene, (conditions + scenes - 1) / scenes);
-  recipe.views = std::max(3, scenes * recipe.conditions_per_scene);  // one for each, and for each part
+  recipe.views = std::max(
+      3, scenes * recipe.conditions_per_scene);  // one for each condition and for each part of the split
   return recipe;
 }
 
@@ -83,13 +84,13 @@ std::int64_t bytes_of(const RenderedHalves& halves) {
   return static_cast<std::int64_t>(halves.first.spec().image_bytes() + halves.second.spec().image_bytes());
 }
 
-/// What is measured of full-size views of one size.
+/// Measurements of full-size views of one image size.
 struct FullSize {
   int wanted = 1, views = 0, images = 0;
   double cpu_s = 0, bytes = 0;
 };
 
-/// Makes the plan of the pilot and times what generate would do before the first render.
+/// Makes the pilot's plan and times what generate does before the first render.
 Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& folder,
                 Pilot& pilot) {
   std::vector<PlannedScene> scenes = plan_scenes(recipe, folder);
@@ -121,7 +122,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   std::vector<FullSize> full(sizes, FullSize{.wanted = sizes == 1 ? 3 : 2});
   std::vector<std::vector<double>> sum(plan.conditions.size(), std::vector<double>(plan.sets.size(), 0));
   std::vector<std::vector<int>> count(plan.conditions.size(), std::vector<int>(plan.sets.size(), 0));
-  double foretold_s = 0, full_s = 0;
+  double estimated_s = 0, full_s = 0;
   ConditionScene loaded;
   for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
     const PlannedView& view = plan.views[v];
@@ -130,22 +131,22 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
     const Pinhole small = smaller(view.master, times);
-    const RenderedHalves reduced = render_halves(plan, view, small, scene);
+    const RenderedHalves reduced = render_halves(plan.recipe, view, small, scene);
     const double view_s = reduced.cpu_s * pixels(view.master) / pixels(small);
     sum[view.condition][view.set] += view_s;
     ++count[view.condition][view.set];
     ++pilot.views;
 
-    // At full size: of each size a view of its middle H-FOV in each of the first conditions.
+    // At full size: of each image size one view of its middle H-FOV in each of the first conditions.
     FullSize& of_size = full[plan.sets[view.set].size];
     if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
-    const RenderedHalves whole = times == 1 ? reduced : render_halves(plan, view, view.master, scene);
+    const RenderedHalves whole = times == 1 ? reduced : render_halves(plan.recipe, view, view.master, scene);
     pilot.view_bytes = std::max(pilot.view_bytes, bytes_of(whole));
     full_s += whole.cpu_s;
-    foretold_s += view_s;
+    estimated_s += view_s;
     before = process_cpu_s();
     ImageTimes unused;
-    const ViewRecord made = make_images(plan, v, whole, scratch.path, unused);
+    const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused);
     of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);
@@ -153,11 +154,11 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     ++of_size.views;
   }
   for (std::size_t c = 0; c < sum.size(); ++c) {
-    // Where there are fewer conditions than parts, views of a set share one.
+    // With fewer conditions than parts of the split, several views of a set share a condition.
     for (std::size_t s = 0; s < sum[c].size(); ++s) sum[c][s] /= std::max(1, count[c][s]);
     pilot.render_cpu_s.push_back(sum[c]);
   }
-  pilot.full_size_ratio = full_s / foretold_s;
+  pilot.full_size_ratio = full_s / estimated_s;
   for (const FullSize& of_size : full) {
     pilot.image_costs.push_back({of_size.cpu_s / of_size.images, of_size.bytes / of_size.images});
     pilot.full_size_views += of_size.views;

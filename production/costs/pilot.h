@@ -9,30 +9,30 @@
 
 namespace cps {
 
-/// What images of one size cost after the render.
+/// What an image costs after the render, by the image's size.
 struct ImageCost {
-  double cpu_s = 0;  ///< warp, develop, encode
+  double cpu_s = 0;  ///< to warp, develop and encode it
   double bytes = 0;  ///< of the file
 };
 
-/// What a few views of a recipe took, really made. CPU seconds are those of all threads together.
+/// Measurements of a few views of a recipe. CPU seconds are those of all threads together.
 struct Pilot {
   int views = 0, full_size_views = 0, images = 0;
-  /// Of one view, by condition and then by set; rendered small, and multiplied by the pixels left out.
+  /// Of one view, by condition and then by set: measured on a smaller render and scaled up by pixel count.
   std::vector<std::vector<double>> render_cpu_s;
-  double full_size_ratio = 1;          ///< what full-size renders took over what was foretold from small ones
+  double full_size_ratio = 1;          ///< time of full-size renders over that estimated from small ones
   std::vector<ImageCost> image_costs;  ///< by the recipe's sizes
-  double scene_cpu_s = 0;              ///< to make a scene's file; 0 if it is there
-  double scene_bytes = 0;              ///< of the file; 0 if it is there
-  double condition_cpu_s = 0;          ///< to load a scene, twice, and make it ready to render
-  double view_plan_cpu_s = 0;          ///< to draw a view's place and lenses
-  std::int64_t peak_bytes = 0;         ///< of memory that the process had, with one view at a time
-  std::int64_t view_bytes = 0;         ///< of memory, of the largest view rendered
+  double scene_cpu_s = 0;              ///< to make a scene's file; 0 if the file exists
+  double scene_bytes = 0;              ///< of the file; 0 if it existed
+  double condition_cpu_s = 0;   ///< to load a scene twice (for plan and render) and prepare it for rendering
+  double view_plan_cpu_s = 0;   ///< to draw a view's place and lenses
+  std::int64_t peak_bytes = 0;  ///< peak memory of the process, with one view at a time
+  std::int64_t view_bytes = 0;  ///< memory of the largest render
 };
 
-/// Makes `conditions` scenes of the recipe (or all, if it has fewer) in a temporary folder and renders one
-/// view of each set in each of them, small, and a few at full size, with all their images. Throws
-/// std::runtime_error in one line when a scene is missing.
+/// Takes `conditions` conditions of the recipe (or all, if it has fewer) and renders one view of each set in
+/// each of them at a reduced size, and a few at full size with all their images, in a temporary folder.
+/// Throws std::runtime_error in one line when a scene is missing.
 Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions);
 
 }  // namespace cps

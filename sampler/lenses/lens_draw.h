@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "distortion/crop/crop.h"
+#include "distortion/crop/cropped_lens.h"
 #include "numbers/interval.h"
 #include "random/counter_hash.h"
 #include "sampler/lenses/lens_options.h"
@@ -26,6 +27,11 @@ struct DrawnLens {
   /// jointly, from a prior.
   std::array<std::optional<Interval>, 7> limits;
 };
+
+/// The lens as photograph() takes it.
+inline CroppedLens cropped(const DrawnLens& lens) {
+  return {lens.distortion, lens.crop.camera, frame_on_plane(lens.base)};
+}
 
 /// A lens for images of the camera's size. `camera` has square pixels and a centred principal point; it is
 /// the base, or, label-first, the final camera but for its principal point (its focal length holds to 1e-9).

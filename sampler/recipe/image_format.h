@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sensor/sensor.h"
+
 namespace cps {
 
 /// What a dataset's images are kept as.
@@ -25,6 +27,12 @@ inline ImageFormat image_format_from(const std::string& name) {
   for (std::size_t i = 0; i < image_format_names.size(); ++i)
     if (name == image_format_names[i]) return static_cast<ImageFormat>(i);
   throw std::runtime_error("must be png, png_gray, jpeg or exr");
+}
+
+/// What photograph() must deliver for images of this format.
+inline PixelFormat pixel_format_of(ImageFormat format) {
+  if (format == ImageFormat::exr) return PixelFormat::linear;
+  return format == ImageFormat::png_gray ? PixelFormat::gray : PixelFormat::rgb;
 }
 
 /// `png`, `jpg` or `exr`.

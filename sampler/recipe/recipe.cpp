@@ -100,7 +100,11 @@ bool Recipe::is_valid(std::string* why) const {
       *why = check.reason;
       return false;
     }
-  if (!light.is_valid(why) || !lens_options.is_valid(why) || !sensor.is_valid(why)) return false;
+  if (!light.is_valid(why) || !lens_options.is_valid(why)) return false;
+  if (const std::string fault = sensor.fault(); !fault.empty()) {
+    *why = fault;
+    return false;
+  }
   if (crop_order() == CropOrder::label_first && lens_options.coefficients.has_k1_range()) {
     *why = "k1_min, k1_max: need base_hfov_deg, as k1 is only known with the base";
     return false;

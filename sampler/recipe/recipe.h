@@ -13,7 +13,7 @@
 #include "sampler/recipe/image_format.h"
 #include "sampler/recipe/per_size.h"
 #include "scenes/city/city_style.h"
-#include "sensor/develop.h"
+#include "sensor/sensor.h"
 
 /// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
 /// flag of `cps generate`, and a flag overrides the file.

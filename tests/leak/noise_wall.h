@@ -7,14 +7,14 @@
 
 namespace cps {
 
-/// Renders of a wall without texture that fills every view: its picture is render noise and nothing else.
-/// They are made once, with the project's path tracer, and masters of any size are cut out of them.
+/// A render of a wall without texture that fills the view: all structure in it is render noise. It is
+/// rendered once with the project's path tracer, and masters of any size are cut out of it.
 struct NoiseWall {
   NoisyMaster master;
 };
 
 enum class WallLight {
-  shade,  ///< a clear sky without its sun: every ray finds another piece of sky
+  shade,  ///< a clear sky without its sun: every ray meets another part of it
   sunlit  ///< sun and clear sky
 };
 

@@ -8,7 +8,7 @@
 namespace cps {
 
 /// How well a network guesses one secret of pictures that it has not seen: the squared correlation of guess
-/// and truth (0 where the correlation is negative, which helps nobody), with the ends of its one-sided 95 %
+/// and truth (0 where the correlation is negative), with the ends of its one-sided 95 %
 /// confidence intervals (Fisher 1921).
 struct Guess {
   double r_squared = 0, lower = 0, upper = 0;

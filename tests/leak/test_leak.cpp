@@ -7,7 +7,7 @@ using namespace cps;
 namespace {
 
 constexpr int train_count = 10'000, test_count = 5'000, epochs = 5, wall_side_px = 1'500;
-constexpr double harmless = 0.02;  ///< of the variance
+constexpr double harmless = 0.02;  ///< share of a secret's variance that may be explained
 
 std::array<Guess, secret_count> guess_from_noise(WallLight light, int samples, Resampler resampler) {
   const NoiseWall train_wall = render_noise_wall(light, samples, wall_side_px, 1),
@@ -46,7 +46,7 @@ TEST_CASE("the wall is the same everywhere but for its noise") {
   }
 }
 
-TEST_CASE("render noise through the pipeline tells nothing of the lens", "[slow]") {
+TEST_CASE("render noise through photograph() reveals nothing of the lens", "[slow]") {
   for (const WallLight light : {WallLight::shade, WallLight::sunlit})
     for (const int samples : {2, 16}) {
       CAPTURE(int(light), samples);
@@ -55,13 +55,13 @@ TEST_CASE("render noise through the pipeline tells nothing of the lens", "[slow]
     }
 }
 
-TEST_CASE("the probe catches what other ways of resampling tell", "[slow]") {
+TEST_CASE("the probe finds what other ways of resampling reveal", "[slow]") {
   // A picture of the output's size, 8 bit, bilinear: the spectrum of its noise is a map of the lens.
   const auto planted = guess_from_noise(WallLight::sunlit, 16, Resampler::bilinear_8bit);
   CHECK(planted[0].lower > harmless);
   CHECK(planted[1].lower > harmless);
   CHECK(planted[2].lower > harmless);
-  // Footprints without the guard: the level of the render's noise is.
+  // Footprints without added noise: the level of the render's noise is.
   const auto unguarded = guess_from_noise(WallLight::shade, 2, Resampler::unguarded);
   CHECK(unguarded[0].lower > harmless);
   CHECK(unguarded[2].lower > harmless);

@@ -1,5 +1,6 @@
 #include "tests/leak/wall_pictures.h"
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -10,20 +11,13 @@
 #include "distortion/warp/master_camera.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"
-#include "sensor/develop.h"
+#include "sensor/photograph.h"
 
 namespace cps {
 namespace {
 
 constexpr int width_px = 128, height_px = 72;
 constexpr double base_hfov_deg[] = {50, 70, 90, 110, 130};
-
-struct Photograph {
-  DrawnLens lens;
-  double exposure = 1;
-  SensorSettings sensor;
-  Stream noise;
-};
 
 /// An 8-bit picture of the base's size looked up between four of its pixels, and rounded again.
 OIIO::ImageBuf bilinear(const OIIO::ImageBuf& picture, const Pinhole& source, const DrawnLens& lens) {
@@ -50,21 +44,18 @@ OIIO::ImageBuf bilinear(const OIIO::ImageBuf& picture, const Pinhole& source, co
   return image;
 }
 
-OIIO::ImageBuf photograph(const NoiseWall& wall, Resampler resampler, const Photograph& photo,
-                          Stream stream) {
-  const Pinhole& output = photo.lens.crop.camera;
-  const WarpOptions options{.box = frame_on_plane(photo.lens.base)};
+OIIO::ImageBuf picture_of(const NoiseWall& wall, Resampler resampler, const DrawnLens& lens, double exposure,
+                          const Sensor& sensor, Stream place) {
   if (resampler == Resampler::bilinear_8bit) {
-    const NoisyMaster master = cut_master(wall, width_px, height_px, stream);
-    return bilinear(develop(master.picture, photo.exposure, photo.sensor, photo.noise), photo.lens.base,
-                    photo.lens);
+    const NoisyMaster master = cut_master(wall, width_px, height_px, place);
+    return bilinear(develop(master.picture, exposure, sensor.settings, sensor.noise), lens.base, lens);
   }
-  const Pinhole camera = master_camera(photo.lens.base, options, LensBounds{}.min_eigenvalue);
-  const NoisyMaster master = cut_master(wall, camera.width, camera.height, stream);
-  return develop(resampler == Resampler::pipeline
-                     ? warp(master, camera, photo.lens.distortion, output, options)
-                     : warp(master.picture, camera, photo.lens.distortion, output, options),
-                 photo.exposure, photo.sensor, photo.noise);
+  const Pinhole camera = master_camera(lens.base, {}, LensBounds{}.min_eigenvalue);
+  Master master{
+      .camera = camera, .light = cut_master(wall, camera.width, camera.height, place), .exposure = exposure};
+  // Without known noise nothing is added to even it out.
+  if (resampler == Resampler::unguarded) OIIO::ImageBufAlgo::zero(master.light.noise);
+  return photograph(master, cropped(lens), sensor, PixelFormat::rgb);
 }
 
 std::array<double, secret_count> secrets_of(const DrawnLens& lens) {
@@ -86,17 +77,14 @@ WallPictures photograph_wall(const NoiseWall& wall, Resampler resampler, int cou
     const Pinhole base = pinhole_from_hfov(width_px, height_px, radians(base_hfov_deg[i % 5]));
     LensOptions lenses;
     lenses.scheme = LensScheme::shape_prior;
-    const Photograph photo{
-        .lens = draw_lens(base, CropOrder::base_first, lenses, make_stream(own.key, "lens")),
-        .exposure = exposure,
-        .sensor = draw_sensor({}, make_stream(own.key, "settings")),
-        .noise = make_stream(own.key, "noise")};
-    const OIIO::ImageBuf image = photograph(wall, resampler, photo, make_stream(own.key, "place"));
+    const DrawnLens lens = draw_lens(base, CropOrder::base_first, lenses, make_stream(own.key, "lens"));
+    const OIIO::ImageBuf image =
+        picture_of(wall, resampler, lens, exposure, sensor_of({}, own), make_stream(own.key, "place"));
     const auto* rgb = static_cast<const std::uint8_t*>(image.localpixels());
     for (std::size_t p = 0; p < size; ++p)
       pictures.pixels[i * size + p] =
           std::uint8_t(std::lround(0.2126 * rgb[3 * p] + 0.7152 * rgb[3 * p + 1] + 0.0722 * rgb[3 * p + 2]));
-    pictures.secrets[i] = secrets_of(photo.lens);
+    pictures.secrets[i] = secrets_of(lens);
   });
   return pictures;
 }

@@ -8,18 +8,18 @@
 
 namespace cps {
 
-/// How a picture is made of its master.
+/// How a picture is made from its master.
 enum class Resampler {
-  pipeline,      ///< as `cps generate` does: warp() of picture and noise, the sensor
-  unguarded,     ///< the same without its guard: warp() of the picture alone
-  bilinear_8bit  ///< as many other generators do: an 8-bit picture of the output's size, bilinear
+  pipeline,      ///< photograph(), as `cps generate` makes images
+  unguarded,     ///< photograph() without evening out the render noise
+  bilinear_8bit  ///< as many generators do: bilinear lookup in an 8-bit picture of the output's size
 };
 
-/// What a network must not be able to tell from noise.
+/// What a network must not be able to infer from noise.
 inline constexpr int secret_count = 3;
 inline constexpr std::array<const char*, secret_count> secret_names{"K1", "H-FOV", "narrowing"};
 
-/// 8-bit gray pictures of the wall through drawn lenses, and what is secret about each: k1 in units of the
+/// 8-bit gray pictures of the wall through drawn lenses, and the secrets of each: k1 in units of the
 /// base's half diagonal, the label's H-FOV, and by how much the crop narrowed the base's H-FOV (degrees), the
 /// part of the label that the lens alone decides.
 struct WallPictures {
@@ -29,7 +29,7 @@ struct WallPictures {
   std::size_t count() const { return secrets.size(); }
 };
 
-/// `count` pictures, each through a lens of its own: the demo's draw, size reduced.
+/// `count` pictures, each through its own lens, drawn as the demo recipe draws them but for smaller images.
 WallPictures photograph_wall(const NoiseWall& wall, Resampler resampler, int count, Stream stream);
 
 }  // namespace cps

@@ -87,7 +87,7 @@ Eigen::Isometry3d chessboard_pose(const Pinhole& base, Stream stream, std::uint6
 
 std::vector<BoardCorner> visible_corners(const Eigen::Isometry3d& world_from_camera, const Pinhole& camera,
                                          const Distortion& lens, const Eigen::AlignedBox2d& seen,
-                                         double border_px, double least_square_px) {
+                                         double border_px, double min_square_px) {
   const Eigen::Isometry3d camera_from_world = world_from_camera.inverse();
   const auto project = [&](double x, double y) -> std::optional<Eigen::Vector2d> {
     const Eigen::Vector3d p = camera_from_world * Eigen::Vector3d(x, y, 0);
@@ -109,7 +109,7 @@ std::vector<BoardCorner> visible_corners(const Eigen::Isometry3d& world_from_cam
       if (!left || !right || !below || !above) continue;
       const Eigen::Vector2d along_x = (*right - *left) / (2 * step), along_y = (*above - *below) / (2 * step);
       const double area = std::abs(along_x.x() * along_y.y() - along_x.y() * along_y.x());
-      if (std::min(along_x.norm(), along_y.norm()) < least_square_px) continue;
+      if (std::min(along_x.norm(), along_y.norm()) < min_square_px) continue;
       if (area < std::sin(radians(35)) * along_x.norm() * along_y.norm()) continue;
       corners.push_back({.on_board = {static_cast<double>(x), static_cast<double>(y)}, .pixel = *here});
     }

@@ -11,7 +11,7 @@
 
 namespace cps {
 
-/// A chessboard without end, so that it fills any frame: squares of 1 m in the plane z = 0, facing +z, with
+/// A chessboard large enough to fill any frame: squares of 1 m in the plane z = 0, facing +z, with
 /// corners at all integers.
 Scene chessboard_scene();
 
@@ -27,10 +27,10 @@ struct BoardCorner {
 };
 
 /// The corners whose surroundings can be measured: at least `border_px` inside the frame, squares around
-/// them not smaller than `least_square_px` in either direction, and not sheared beyond 35°. `seen` is the
+/// them not smaller than `min_square_px` in either direction, and not sheared beyond 35°. `seen` is the
 /// rectangle on the plane z = 1 on which the lens is known to be one-to-one.
 std::vector<BoardCorner> visible_corners(const Eigen::Isometry3d& world_from_camera, const Pinhole& camera,
                                          const Distortion& lens, const Eigen::AlignedBox2d& seen,
-                                         double border_px, double least_square_px);
+                                         double border_px, double min_square_px);
 
 }  // namespace cps

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <catch2/catch.hpp>
-#include <cstdio>
+#include <cmath>
 #include <string>
 
 #include "numbers/angles.h"
@@ -36,16 +39,46 @@ BoardView noisy_corners(const std::vector<BoardCorner>& corners, double noise_px
 }
 
 std::string row(const Trial& trial, const Calibration& found, double reprojection_px) {
-  char line[200];
   const Pinhole& camera = trial.lens.crop.camera;
   const double statistic = chi_squared(found, label(trial));
-  std::snprintf(line, sizeof line,
-                "%4dx%-4d  H-FOV %5.1f  shift %+5.1f %+5.1f px  corners %4d  noise %.4f px  chi2 %5.1f  "
-                "p %.3f  reprojection %.3f px\n",
-                camera.width, camera.height, degrees(hfov_rad(camera)), camera.cx - 0.5 * (camera.width - 1),
-                camera.cy - 0.5 * (camera.height - 1), found.corners, found.corner_noise_px, statistic,
-                p_value(statistic, 9), reprojection_px);
-  return line;
+  return fmt::format(
+      "{:4}x{:<4}  H-FOV {:5.1f}  shift {:+5.1f} {:+5.1f} px  corners {:4}  noise {:.4f} px  chi2 {:5.1f}  "
+      "p {:.4f}  reprojection {:.3f} px\n",
+      camera.width, camera.height, degrees(hfov_rad(camera)), camera.cx - 0.5 * (camera.width - 1),
+      camera.cy - 0.5 * (camera.height - 1), found.corners, found.corner_noise_px, statistic,
+      p_value(statistic, 9), reprojection_px);
+}
+
+/// A board in sunlight alone: no noise but that of pixels and sensor.
+RenderScene sunlit_board() {
+  return {
+      chessboard_scene(),
+      {make_constant_sky(Color::Zero()), make_sun(Vec3(0.3f, 0.4f, 1).normalized(), 0.0093, Color::Ones())}};
+}
+
+constexpr LensSet judged[] = {{1392, 512, 38, 3},  {1392, 512, 60, 3},  {1392, 512, 95, 3},
+                              {1392, 512, 124, 3}, {1920, 1080, 46, 4}, {1920, 1080, 115, 4}};
+
+Stream stream_of(const LensSet& set, std::uint64_t seed) {
+  return substream(make_stream(seed, "zhang"), static_cast<std::uint64_t>(set.base_hfov_deg));
+}
+
+/// Largest distance between the sample's distribution and the uniform one on [0, 1], and the probability of
+/// a larger one (Kolmogorov's series with Stephens' correction for finite samples).
+struct KolmogorovSmirnov {
+  double distance, p;
+};
+KolmogorovSmirnov test_uniformity(std::vector<double> sample) {
+  std::ranges::sort(sample);
+  const auto n = static_cast<double>(sample.size());
+  double distance = 0;
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    distance = std::max(
+        {distance, sample[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - sample[i]});
+  const double scaled = distance * (std::sqrt(n) + 0.12 + 0.11 / std::sqrt(n));
+  double p = 0;
+  for (int k = 1; k <= 100; ++k) p += (k % 2 == 1 ? 2 : -2) * std::exp(-2.0 * k * k * scaled * scaled);
+  return {distance, std::clamp(p, 0.0, 1.0)};
 }
 
 }  // namespace
@@ -73,19 +106,13 @@ TEST_CASE("Zhang's method judges a true label by chi-squared, and a false one") 
 }
 
 TEST_CASE("Zhang's method finds the labels of rendered chessboards", "[slow]") {
-  // A board in sunlight alone: no noise but that of pixels and sensor.
-  const RenderScene scene(
-      chessboard_scene(),
-      {make_constant_sky(Color::Zero()), make_sun(Vec3(0.3f, 0.4f, 1).normalized(), 0.0093, Color::Ones())});
-  const LensSet judged[] = {{1392, 512, 38, 3},  {1392, 512, 60, 3},  {1392, 512, 95, 3},
-                            {1392, 512, 124, 3}, {1920, 1080, 46, 4}, {1920, 1080, 115, 4}};
+  const RenderScene scene = sunlit_board();
   const LensSet reported[] = {{1392, 512, 145, 2}, {1392, 512, 152, 2}};
   std::string table;
   double sum = 0;
   int lenses = 0;
   for (const LensSet& set : judged) {
-    const Stream stream = substream(make_stream(9, "zhang"), static_cast<std::uint64_t>(set.base_hfov_deg));
-    for (const Trial& trial : photograph_board(set, scene, stream)) {
+    for (const Trial& trial : photograph_board(set, scene, stream_of(set, 9))) {
       const Calibration found = calibrate(trial);
       const double off_px =
           worst_reprojection_px(found, trial.lens.crop.camera, trial.lens.distortion, trial.seen);
@@ -110,12 +137,38 @@ TEST_CASE("Zhang's method finds the labels of rendered chessboards", "[slow]") {
   // Wider views are reported (-s): their rims are so slanted that corners are rarely good there.
   std::string wide;
   for (const LensSet& set : reported) {
-    const Stream stream = substream(make_stream(9, "zhang"), static_cast<std::uint64_t>(set.base_hfov_deg));
-    for (const Trial& trial : photograph_board(set, scene, stream)) {
+    for (const Trial& trial : photograph_board(set, scene, stream_of(set, 9))) {
       const Calibration found = calibrate(trial);
       wide += row(trial, found,
                   worst_reprojection_px(found, trial.lens.crop.camera, trial.lens.distortion, trial.seen));
     }
   }
   SUCCEED(wide);
+}
+
+// Run by hand: `test_recalibration "[survey]" -s`.
+TEST_CASE("p-values of a hundred further labels are uniform", "[.survey]") {
+  const RenderScene scene = sunlit_board();
+  std::vector<double> p_values;
+  std::string table;
+  double sum = 0;
+  for (std::uint64_t seed = 1001; seed <= 1005; ++seed)
+    for (const LensSet& set : judged)
+      for (const Trial& trial : photograph_board(set, scene, stream_of(set, seed))) {
+        const Calibration found = calibrate(trial);
+        const double statistic = chi_squared(found, label(trial));
+        p_values.push_back(p_value(statistic, 9));
+        sum += statistic;
+        table += row(trial, found,
+                     worst_reprojection_px(found, trial.lens.crop.camera, trial.lens.distortion, trial.seen));
+      }
+  const auto below = [&](double bound) {
+    return std::ranges::count_if(p_values, [&](double p) { return p < bound; });
+  };
+  const KolmogorovSmirnov uniformity = test_uniformity(p_values);
+  INFO(table << "below .001: " << below(.001) << ", .01: " << below(.01) << ", .05: " << below(.05)
+             << "; KS distance " << uniformity.distance << ", p " << uniformity.p << "; all together: chi2 "
+             << sum << ", p " << p_value(sum, 9 * static_cast<int>(p_values.size())));
+  CHECK(p_values.size() == 100);
+  CHECK(uniformity.p > 0.001);
 }

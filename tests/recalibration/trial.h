@@ -17,7 +17,7 @@ struct LensSet {
 };
 Pinhole base_of(const LensSet& set);
 
-/// One lens before the judge.
+/// One lens under test.
 struct Trial {
   DrawnLens lens;
   Eigen::AlignedBox2d seen;               ///< where it is certified
@@ -28,16 +28,16 @@ struct Trial {
 
 CameraParameters label(const Trial& trial);
 
-/// What calibration starts from: the label, but off.
+/// What calibration starts from: the label with errors added.
 CameraParameters rough_start(const CameraParameters& label);
 
-/// The lenses that a recipe of defaults draws.
+/// Lenses as a recipe with default options draws them.
 std::vector<Trial> draw_trials(const LensSet& set, Stream stream);
 
 /// The corners that one photograph through this lens should show.
 std::vector<BoardCorner> corners_of(const Trial& trial, const Eigen::Isometry3d& world_from_camera);
 
-/// Photographs the board through all lenses of the set: one master a pose, as a recipe would.
+/// Photographs the board through all lenses of the set, with one master per pose as in a dataset.
 std::vector<Trial> photograph_board(const LensSet& set, const RenderScene& board, Stream stream);
 
 /// Calibrates twice: from corners as cornerSubPix finds them, then from corners fitted with the first result.

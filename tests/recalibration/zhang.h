@@ -25,7 +25,7 @@ struct OpenCvCamera {
 };
 OpenCvCamera to_opencv(const CameraParameters& parameters);
 
-/// What Zhang's method finds.
+/// Result of Zhang's method.
 struct Calibration {
   CameraParameters parameters;
   std::vector<cv::Mat> rotations, translations;  ///< from board to camera, per view
@@ -35,7 +35,7 @@ struct Calibration {
   /// and r the residuals, the covariance is (JᵀJ)⁻¹ (Σ Jᵀr rᵀJ) (JᵀJ)⁻¹, summed over corners (White 1980):
   /// corners of small or slanted squares are found less well than others, and not alike in all directions.
   Eigen::Matrix<double, 9, 9> information;
-  /// How far the solution stands from the least squares' minimum, in standard deviations.
+  /// Distance of the solution from the minimum of the sum of squares, in standard deviations.
   double distance_from_minimum = 0;
 };
 

@@ -87,10 +87,8 @@ TEST_CASE("drawn settings stay in range and impossible ranges are refused") {
     CHECK(s.full_well_e <= options.full_well_max_e);
     CHECK(std::abs(s.exposure_bias_ev) <= 0.5);
   }
-  std::string why;
-  CHECK(options.is_valid(&why));
+  CHECK(options.fault() == "");
   SensorOptions broken;
   broken.full_well_min_e = 0;
-  CHECK_FALSE(broken.is_valid(&why));
-  CHECK(why.find("full_well_min_e") != std::string::npos);
+  CHECK_THAT(broken.fault(), Catch::StartsWith("full_well_min_e"));
 }

@@ -68,6 +68,17 @@ GrayImage area_average(const GrayImage& image, const ImageSize& to) {
   return result;
 }
 
+GrayImage gray_of(const ImageSize& size, int channels, const std::uint8_t* pixels) {
+  GrayImage gray{size, std::vector<std::uint8_t>(pixel_count(size))};
+  for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
+    const std::uint8_t* p = &pixels[i * channels];
+    gray.pixels[i] =
+        channels < 3 ? p[0]
+                     : static_cast<std::uint8_t>(std::lround(.2126f * p[0] + .7152f * p[1] + .0722f * p[2]));
+  }
+  return gray;
+}
+
 GrayImage read_gray_image(const std::filesystem::path& file) {
   const auto fail = [&](std::string why) {
     std::ranges::replace(why, '\n', ' ');
@@ -84,16 +95,7 @@ GrayImage read_gray_image(const std::filesystem::path& file) {
   const int channels = spec.nchannels;
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(spec.width) * spec.height * channels);
   if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, pixels.data())) fail(input->geterror());
-
-  GrayImage gray{{spec.width, spec.height}, {}};
-  gray.pixels.resize(static_cast<std::size_t>(spec.width) * spec.height);
-  for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
-    const std::uint8_t* p = &pixels[i * channels];
-    gray.pixels[i] =
-        channels < 3 ? p[0]
-                     : static_cast<std::uint8_t>(std::lround(.2126f * p[0] + .7152f * p[1] + .0722f * p[2]));
-  }
-  return gray;
+  return gray_of({spec.width, spec.height}, channels, pixels.data());
 }
 
 }  // namespace cps

@@ -39,6 +39,9 @@ struct GrayView {
 /// larger than the image.
 GrayImage area_average(const GrayImage& image, const ImageSize& to);
 
+/// Interleaved 8-bit pixels as gray: Rec. 709 luma of the first three channels, or the first of one or two.
+GrayImage gray_of(const ImageSize& size, int channels, const std::uint8_t* pixels);
+
 /// Any image OpenImageIO can read, as gray (Rec. 709 luma), before reduction. Luma and all averaging work on
 /// the encoded values, as the picture's viewers and most networks see them: linear light would spend 8 bits
 /// on highlights. Throws std::runtime_error with one line that starts with the file.

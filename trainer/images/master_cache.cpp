@@ -7,64 +7,68 @@
 #include <stdexcept>
 
 #include "dataset/pixels/master_file.h"
-#include "sensor/develop.h"
 
 namespace cps {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t plane_bytes(const Pinhole& camera) {
-  return static_cast<std::size_t>(camera.width) * camera.height * sizeof(std::uint16_t);
+/// Bytes of the picture or of the noise, as half floats.
+std::size_t plane_bytes(const Pinhole& camera, int channels) {
+  return static_cast<std::size_t>(camera.width) * camera.height * channels * sizeof(std::uint16_t);
 }
 
-/// What the pixels depend on.
-std::string cache_key(const std::vector<KeptMaster>& masters) {
-  std::string key = "cps gray masters 1\n";
+/// All that the cached pixels depend on.
+std::string cache_key(const std::vector<KeptMaster>& masters, int channels) {
+  std::string key = "cps masters 2\nchannels " + std::to_string(channels) + "\n";
   for (const KeptMaster& m : masters)
     key += m.file.string() + " " + m.sha256 + " " + std::to_string(m.camera.width) + "x" +
            std::to_string(m.camera.height) + "\n";
   return key;
 }
 
-/// As half floats: rows of the picture, then of the noise.
-void read_gray(const fs::path& file, const Pinhole& camera, std::span<std::uint8_t> out) {
+/// Reads a master as half floats: rows of the picture, then of the noise.
+void read_halves(const fs::path& file, const Pinhole& camera, int channels, std::span<std::uint8_t> out) {
   const NoisyMaster master = read_master(file);
   const OIIO::ImageSpec& spec = master.picture.spec();
   if (spec.width != camera.width || spec.height != camera.height)
     throw std::runtime_error(file.string() +
                              ": is not of the size that masters.csv says: make the dataset again");
   for (const OIIO::ImageBuf* plane : {&master.picture, &master.noise}) {
-    const OIIO::ImageBuf gray = luminance(*plane);
-    gray.get_pixels(gray.roi(), OIIO::TypeDesc::HALF, out.data());
-    out = out.subspan(plane_bytes(camera));
+    const OIIO::ImageBuf gray = channels == 1 ? luminance(*plane) : OIIO::ImageBuf();
+    const OIIO::ImageBuf& kept = channels == 1 ? gray : *plane;
+    kept.get_pixels(kept.roi(), OIIO::TypeDesc::HALF, out.data());
+    out = out.subspan(plane_bytes(camera, channels));
   }
 }
 
 }  // namespace
 
-NoisyMaster MasterCache::gray(int i) const {
+Master MasterCache::master(int i) const {
   const Pinhole& camera = masters[i].camera;
   const auto plane = [&](std::size_t offset) {
-    const OIIO::ImageSpec half(camera.width, camera.height, 1, OIIO::TypeDesc::HALF);
-    // Only read from.
+    const OIIO::ImageSpec half(camera.width, camera.height, channels, OIIO::TypeDesc::HALF);
+    // The memory is mapped for reading; nothing writes to the buffer.
     const OIIO::ImageBuf mapped(half, const_cast<std::uint8_t*>(pixels.blobs[i].data() + offset));
     return mapped.copy(OIIO::TypeDesc::FLOAT);
   };
-  return {.picture = plane(0), .noise = plane(plane_bytes(camera))};
+  return {.camera = camera,
+          .light = {.picture = plane(0), .noise = plane(plane_bytes(camera, channels))},
+          .exposure = masters[i].exposure};
 }
 
-MasterCache load_master_cache(const fs::path& dataset, Part part, bool skip_bad, const fs::path& file) {
-  MasterCache cache;
+MasterCache load_master_cache(const fs::path& dataset, Part part, bool as_luminance, bool skip_bad,
+                              const fs::path& file) {
+  MasterCache cache{.masters = {}, .channels = as_luminance ? 1 : 3, .pixels = {}, .skipped = {}};
   for (KeptMaster& master : read_masters(dataset))
     if (master.part == part) cache.masters.push_back(std::move(master));
   while (!cache.masters.empty()) try {
       std::vector<std::size_t> sizes;
-      for (const KeptMaster& m : cache.masters) sizes.push_back(2 * plane_bytes(m.camera));
+      for (const KeptMaster& m : cache.masters) sizes.push_back(2 * plane_bytes(m.camera, cache.channels));
       cache.pixels = load_blob_cache(
-          cache_key(cache.masters), sizes,
+          cache_key(cache.masters, cache.channels), sizes,
           [&](std::size_t i, std::span<std::uint8_t> out) {
-            read_gray(dataset / cache.masters[i].file, cache.masters[i].camera, out);
+            read_halves(dataset / cache.masters[i].file, cache.masters[i].camera, cache.channels, out);
           },
           file);
       return cache;

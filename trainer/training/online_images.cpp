@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "dataset/job/recipe_json.h"
+#include "dataset/pixels/image_file.h"
 #include "distortion/label_algebra.h"
-#include "sensor/develop.h"
 #include "trainer/images/master_cache.h"
 #include "trainer/training/online_lens.h"
 
@@ -16,25 +16,15 @@ struct OnlineImages {
   MasterCache cache;
   OnlineLensOptions lenses;
   SensorOptions sensor;
+  StoredFormat stored;
   TrainOptions options;
-
-  GrayImage developed(int i, const DrawnLens& lens, Stream stream) const {
-    const KeptMaster& master = cache.masters[i];
-    const Stream noise = make_stream(stream.key, "sensor");
-    const OIIO::ImageBuf image =
-        develop(warp(cache.gray(i), master.camera, lens.distortion, lens.crop.camera,
-                     {.box = frame_on_plane(lens.base)}),
-                master.exposure, draw_sensor(sensor, make_stream(noise.key, "settings")),
-                make_stream(noise.key, "noise"));
-    const auto* pixels = static_cast<const std::uint8_t*>(image.localpixels());
-    const ImageSize size{image.spec().width, image.spec().height};
-    return area_average({size, {pixels, pixels + pixel_count(size)}}, reduced_size(size, options.reduction));
-  }
 
   ShownImage shown(int i, int epoch) const {
     const Stream stream = substream(substream(make_stream(options.seed, "online lenses"), epoch), i);
     const DrawnLens lens = draw_online_lens(cache.masters[i], lenses, make_stream(stream.key, "lens"));
-    ShownImage image{.pixels = developed(i, lens, stream),
+    const GrayImage whole = online_image(cache.master(i), cropped(lens),
+                                         sensor_of(sensor, make_stream(stream.key, "sensor")), stored);
+    ShownImage image{.pixels = area_average(whole, reduced_size(whole.size, options.reduction)),
                      .original = {lens.crop.camera.width, lens.crop.camera.height},
                      .is_mirrored = options.mirror && is_mirrored(options.seed, epoch, i)};
     CalibratedCamera camera{"", lens.crop.camera, lens.distortion};
@@ -46,10 +36,10 @@ struct OnlineImages {
   }
 };
 
-/// Images and targets as they might be before the first epoch, evenly spread over the masters.
+/// Statistics of images and targets as epoch 0 would show them, over masters evenly spread over the set.
 void add_statistics(TrainingSet& set) {
-  constexpr int most = 4096;
-  const int masters = static_cast<int>(set.originals.size()), count = std::min(masters, most);
+  constexpr int max_masters = 4096;
+  const int masters = static_cast<int>(set.originals.size()), count = std::min(masters, max_masters);
   Batch batch;
   for (int n = 0; n < count; ++n)
     batch.push_back(static_cast<int>(static_cast<std::int64_t>(n) * masters / count));
@@ -66,21 +56,34 @@ void add_statistics(TrainingSet& set) {
 
 }  // namespace
 
+GrayImage online_image(const Master& master, const CroppedLens& lens, const Sensor& sensor,
+                       const StoredFormat& stored) {
+  const OIIO::ImageBuf image = photograph(master, lens, sensor, pixel_format_of(stored.format));
+  const OIIO::ImageBuf pixels =
+      stored_pixels(image, stored.format, stored.jpeg_quality).copy(OIIO::TypeDesc::UINT8);
+  return gray_of({pixels.spec().width, pixels.spec().height}, pixels.spec().nchannels,
+                 static_cast<const std::uint8_t*>(pixels.localpixels()));
+}
+
 TrainingSet online_images(const Dataset& dataset, const TrainOptions& options,
                           const std::filesystem::path& cache_file) {
   const Recipe recipe = read_recipe(dataset.root);
   if (recipe.lens_options.coefficients.has_k1_range())
-    throw std::runtime_error((dataset.root / "dataset.json").string() +
-                             ": recipe: k1_min, k1_max: are told by the base's H-FOV, online lenses by the "
-                             "image's: train on the images, or make a dataset without them");
+    throw std::runtime_error(
+        (dataset.root / "dataset.json").string() +
+        ": recipe: k1_min, k1_max: apply to lenses drawn for the base's H-FOV, and online lenses are drawn "
+        "for the image's: train on the images, or make a dataset without them");
+  const StoredFormat stored{recipe.image_format, recipe.jpeg_quality};
   const int lenses = *std::ranges::max_element(recipe.lenses.values);
-  auto images = std::make_shared<OnlineImages>(
-      OnlineImages{.cache = load_master_cache(dataset.root, Part::train, options.skip_bad_images, cache_file),
-                   .lenses = {.lens = recipe.lens_options,
-                              .undistorted_share = recipe.undistorted ? 1.0 / (lenses + 1) : 0,
-                              .zoom = options.online_zoom},
-                   .sensor = recipe.sensor,
-                   .options = options});
+  auto images = std::make_shared<OnlineImages>(OnlineImages{
+      .cache = load_master_cache(dataset.root, Part::train, stored.format == ImageFormat::png_gray,
+                                 options.skip_bad_images, cache_file),
+      .lenses = {.lens = recipe.lens_options,
+                 .undistorted_share = recipe.undistorted ? 1.0 / (lenses + 1) : 0,
+                 .zoom = options.online_zoom},
+      .sensor = recipe.sensor,
+      .stored = stored,
+      .options = options});
   TrainingSet set{
       .originals = {}, .pixels = {}, .targets = {}, .skipped = images->cache.skipped, .shown = {}};
   for (const KeptMaster& master : images->cache.masters)

@@ -7,18 +7,19 @@
 
 namespace cps {
 
-/// What lenses are drawn for a kept master while training.
+/// How lenses are drawn for a kept master while training.
 struct OnlineLensOptions {
-  LensOptions lens;              ///< as the dataset's recipe has them
-  double undistorted_share = 0;  ///< of the draws that have no lens
-  /// The H-FOV is drawn about that of the master's set: focal length log-uniform between this factor and its
-  /// inverse.
+  LensOptions lens;              ///< those of the dataset's recipe
+  double undistorted_share = 0;  ///< share of the draws without distortion
+  /// The focal length is drawn log-uniformly between that of the master's set divided by this factor and
+  /// multiplied by it.
   double zoom = 1.3;
 };
 
-/// A certified lens and its border-free crop inside the master: drawn again, H-FOV and all, while it reaches
-/// beyond the base that the master was made for, or enlarges more than the master carries. A pure function of
-/// the arguments. Throws std::runtime_error with one line when none is found.
+/// A certified lens and its border-free crop inside the master. Lens and H-FOV are drawn again as long as the
+/// crop reaches beyond the base that the master was rendered for, or magnifies beyond the master's
+/// resolution. A pure function of the arguments. Throws std::runtime_error with one line when no lens is
+/// found.
 DrawnLens draw_online_lens(const KeptMaster& master, const OnlineLensOptions& options, Stream stream);
 
 }  // namespace cps

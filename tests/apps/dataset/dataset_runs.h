@@ -17,7 +17,7 @@
 
 namespace cps {
 
-/// A recipe that is done in a second: 10 views of two H-FOVs under two conditions, three images each.
+/// A recipe that takes a second: 10 views of two H-FOVs under two conditions, three images each.
 inline std::string tiny_recipe(const std::filesystem::path& scene, const std::filesystem::path& out,
                                int samples = 2) {
   return "generate --name t --seed 3 --scene " + scene.string() +
@@ -26,7 +26,7 @@ inline std::string tiny_recipe(const std::filesystem::path& scene, const std::fi
          std::to_string(samples) + " --out " + out.string();
 }
 
-/// Every file of a dataset but journals and locks, by name.
+/// All files of a dataset except journals and locks, by name.
 inline std::map<std::string, std::string> contents(const std::filesystem::path& root) {
   std::map<std::string, std::string> files;
   if (!std::filesystem::exists(root)) return files;
@@ -37,7 +37,7 @@ inline std::map<std::string, std::string> contents(const std::filesystem::path& 
   return files;
 }
 
-/// The names in `contents` that differ or that only one has: what a failed comparison prints.
+/// Names of the files that differ or that only one of the datasets has. Empty: the same contents.
 inline std::string differences(const std::filesystem::path& a, const std::filesystem::path& b) {
   const auto in_a = contents(a), in_b = contents(b);
   std::string text;
@@ -52,7 +52,7 @@ inline std::string differences(const std::filesystem::path& a, const std::filesy
   return text;
 }
 
-/// Starts cps in the background after `prepare` was called in the new process.
+/// Starts cps in the background, after calling `prepare` in the new process.
 inline pid_t start_cps(
     const std::string& arguments, const std::filesystem::path& output = "/dev/null",
     const std::function<void()>& prepare = [] {}) {

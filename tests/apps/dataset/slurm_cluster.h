@@ -9,14 +9,14 @@
 
 namespace cps {
 
-/// Runs a command; its exit status, or 128 + signal.
+/// Runs a command. Returns its exit status, or 128 + signal.
 inline int shell(const std::string& command) {
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// A Slurm of two nodes with two processors each, on this machine, for as long as it lives; SLURM_CONF names
-/// it, and CPS this build's program.
+/// A Slurm cluster of two nodes with two processors each, on this machine, until the object is destroyed.
+/// Sets SLURM_CONF to its configuration and CPS to this build's program.
 struct SlurmCluster {
   std::filesystem::path folder;
 
@@ -33,7 +33,7 @@ struct SlurmCluster {
   }
   SlurmCluster(const SlurmCluster&) = delete;
 
-  /// Calls cluster.sh.
+  /// Runs cluster.sh.
   int control(const std::string& what, const std::string& rest = "") const {
     return shell(std::string(CPS_SOURCE) + "/tests/apps/slurm/cluster.sh " + what + " " + folder.string() +
                  " " + rest);

@@ -11,8 +11,8 @@
 #include "tests/apps/street_gltf.h"
 #include "tests/temporary_folder.h"
 
-/// Reads a dataset as a stranger would who has docs/formats.md and none of our code: plain files, JSON, and
-/// the formula written out once more.
+/// An independent reader, written from docs/formats.md without the product's code: plain files, JSON, and the
+/// distortion formula.
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
@@ -47,7 +47,7 @@ Point render_half(const Json& label) {
   return {x, x * double(label.at("height")) / double(label.at("width"))};
 }
 
-/// The nearest that the render's rim, seen through the lens, comes to entering the frame.
+/// Smallest distance by which the render's rim, seen through the lens, stays outside the frame (pixels).
 double nearest_rim_px(const Json& label) {
   const Point half = render_half(label);
   double nearest = 1e30;
@@ -60,7 +60,7 @@ double nearest_rim_px(const Json& label) {
   return nearest;
 }
 
-/// Every file's SHA-256 as frames.csv says it, by the image's path.
+/// The SHA-256 that frames.csv gives for each image, by the image's path.
 std::map<std::string, std::string> frames_of(const fs::path& leaf) {
   std::ifstream in(leaf / "frames.csv");
   std::string line;
@@ -75,7 +75,7 @@ struct Found {
   int images = 0, leaves = 0;
 };
 
-/// Reads all of a dataset, whose folders are named after the label's `named_after`, and checks what it finds.
+/// Reads a whole dataset, whose folders are named after the label's key `named_after`, and checks it.
 Found read_as_a_stranger(const fs::path& root, const char* named_after) {
   Found found;
   for (const auto& set : fs::directory_iterator(root)) {

@@ -90,7 +90,7 @@ TEST_CASE("a rig's cameras have folders, labels and lenses of their own and shar
   check_refused(tiny_recipe(scene, folder / "none") + " --rig none.rig", 1, "rig = none.rig");
 }
 
-TEST_CASE("one thread and two make the same bytes") {
+TEST_CASE("one thread and three make the same bytes") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder);
   REQUIRE(run_cps(tiny_recipe(scene, folder / "one") + " --threads 1").exit_status == 0);

@@ -12,8 +12,8 @@
 using namespace cps;
 namespace fs = std::filesystem;
 
-/// What a farm does to a job: each time one line says what is wrong, nothing half-made stands under a final
-/// name, and the same command finishes the job when the trouble is over.
+/// Failures that occur on a render farm. Each is reported in one line, leaves no incomplete file under a
+/// final name, and once it is removed the same command completes the job.
 namespace {
 
 struct Trouble {
@@ -101,7 +101,7 @@ TEST_CASE("a folder that may not be written to is named") {
   trouble.check_recovers();
 }
 
-TEST_CASE("a scene that vanished is named, and its return is enough") {
+TEST_CASE("a scene that vanished is named, and once it is back the job continues") {
   Trouble trouble;
   REQUIRE(run_cps(trouble.recipe + " --shard 0/2").exit_status == 0);
   fs::rename(trouble.scene, trouble.folder / "away");
@@ -116,7 +116,7 @@ TEST_CASE("a scene that vanished is named, and its return is enough") {
   CHECK_THAT(run_cps(trouble.recipe).output, Catch::Contains("nothing to do"));
 }
 
-TEST_CASE("a picture that lost its end or is gone is made again, and finish misses it") {
+TEST_CASE("finish reports an image that is cut short or lost, and generate makes it again") {
   Trouble trouble;
   for (const char* shard : {" --shard 0/2", " --shard 1/2"})
     REQUIRE(run_cps(trouble.recipe + shard).exit_status == 0);
@@ -128,7 +128,7 @@ TEST_CASE("a picture that lost its end or is gone is made again, and finish miss
   trouble.check_recovers();
 }
 
-TEST_CASE("damaged journal lines are said and their views made again") {
+TEST_CASE("damaged journal lines are reported and their views made again") {
   Trouble trouble;
   for (const char* shard : {" --shard 0/2", " --shard 1/2"})
     REQUIRE(run_cps(trouble.recipe + shard).exit_status == 0);
@@ -143,7 +143,7 @@ TEST_CASE("damaged journal lines are said and their views made again") {
   CHECK(differences(trouble.folder / "whole", trouble.out) == "");
 }
 
-TEST_CASE("what a power cut leaves under temporary names goes when the dataset is finished") {
+TEST_CASE("finishing removes the temporary files that a power cut leaves") {
   Trouble trouble;
   REQUIRE(run_cps(trouble.recipe + " --shard 0/2").exit_status == 0);
   write_file(trouble.out / "80x45_hfov060/front_lens0000/000009.png.1234-5.tmp", std::string("half"));

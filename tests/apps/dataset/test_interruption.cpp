@@ -10,8 +10,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Kills generate, and finish, at drawn moments until `kills` were survived; every time the images that are
-/// there are whole. The folder is begun anew when it is finished.
+/// Kills generate and finish at random moments, `kills` times, and checks after each that every image in the
+/// folder is complete. When a run finishes the dataset, starts over with an empty folder.
 void check_kills(int kills, bool by_shards) {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "killed";
@@ -42,7 +42,7 @@ void check_kills(int kills, bool by_shards) {
   CHECK(differences(folder / "whole", out) == "");
 }
 
-/// The output of generate stopped by a signal once it says that it began.
+/// Output and exit status of generate, sent a signal once it prints that it began.
 ProgramRun stopped(const std::string& arguments, int signal, const fs::path& output) {
   fs::remove(output);  // of an earlier run
   const pid_t child = start_cps(arguments, output);

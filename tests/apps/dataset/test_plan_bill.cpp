@@ -30,7 +30,7 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   CHECK(double(bill.at("image_bytes")) > 400 * 1000.0);
   CHECK(bill.at("fits_disk") == true);
 
-  // A set takes its images over its rate: together, what rendering and making takes.
+  // The time of a set is its number of images over its rate; the sum is that of rendering and making images.
   const std::vector<double> rates = bill.at("set_images_per_core_h"), images = {120, 120, 80, 80};
   REQUIRE(rates.size() == images.size());
   double hours = 0;
@@ -38,7 +38,7 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   CHECK(hours == Approx(double(bill.at("render_core_h")) + double(bill.at("images_core_h"))));
 }
 
-TEST_CASE("plan refuses what it cannot reckon with, in one line") {
+TEST_CASE("plan refuses impossible options in one line") {
   check_refused("plan --cores 0", 2, "--cores: must lie in");
   check_refused("plan --price -1", 2, "--price: must lie in");
   check_refused("plan --conditions 0", 2, "--conditions: must lie in");

@@ -19,7 +19,7 @@ std::vector<std::string> shards_in_drawn_order(int count, std::uint64_t seed) {
   return shards;
 }
 
-/// Makes the tiny recipe in shards, finishes it, and compares it with the one made whole.
+/// Makes the tiny recipe in shards, finishes it, and compares it with the dataset of a single run.
 void check_shards(const fs::path& scene, const fs::path& whole, const fs::path& out, int count, int threads) {
   INFO(count << " shards, " << threads << " threads");
   for (const std::string& shard : shards_in_drawn_order(count, count + 100 * threads)) {
@@ -72,7 +72,7 @@ TEST_CASE("what was made under one sharding counts under another, and finish say
                               Catch::Contains("5 of 10 views are missing"));
   CHECK_FALSE(fs::exists(out / "dataset.json"));
 
-  // Half of the folder is split further; the quarters that lie in the made half have nothing to do.
+  // The half that is not made is split further; the quarters of the half that is made have nothing to do.
   CHECK_THAT(run_cps(tiny_recipe(scene, out) + " --shard 1/4").output, Catch::Contains("0 views to make"));
   CHECK_THAT(run_cps(tiny_recipe(scene, out) + " --shard 2/4").output,
              Catch::Contains("views to make") && !Catch::Contains(" 0 views"));

@@ -22,7 +22,7 @@ bool queue_is_empty() {
   return shell("squeue -h | grep -q .") != 0;
 }
 
-/// Whether a shard of four has made a view and is at work on the next.
+/// Whether a shard of four has made a view and works on the next.
 bool is_at_work(const fs::path& dataset, int shard) {
   const std::string name = std::to_string(shard);
   const fs::path journal = dataset / ".cps" / ("journal_" + name + "_of_4.jsonl");
@@ -71,7 +71,7 @@ TEST_CASE("Slurm makes what one process makes, though it loses a task and a node
   CHECK(differences(folder / "whole", out) == "");
 }
 
-TEST_CASE("a cancelled array is not queued again; one without hope ends the rest", "[slow]") {
+TEST_CASE("a cancelled array is not queued again; a shard that fails for good ends the others", "[slow]") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = folder / "city.glb";
   REQUIRE(run_cps("city --seed 1 --extent-m 300 -o " + scene.string()).exit_status == 0);
@@ -93,7 +93,7 @@ TEST_CASE("a cancelled array is not queued again; one without hope ends the rest
   CHECK_FALSE(fs::exists(folder / "dataset" / "dataset.json"));
 }
 
-TEST_CASE("cps-slurm says in one line what is wrong with its arguments") {
+TEST_CASE("cps-slurm reports wrong arguments in one line") {
   const TemporaryFolder temporary;
   const fs::path said = temporary.path / "said";
   const auto refuses = [&](const std::string& arguments, const std::string& why) {

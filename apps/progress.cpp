@@ -1,4 +1,4 @@
-#include "production/progress.h"
+#include "apps/progress.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

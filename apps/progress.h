@@ -6,16 +6,16 @@
 
 namespace cps {
 
-/// A line that says how far long work is: rewritten in place on a terminal, a plain line a minute elsewhere.
+/// Progress line on stderr: rewritten in place on a terminal, a new line every minute elsewhere.
 class Progress {
  public:
-  /// `done` of `total` things (called `unit`) were there before this run began.
+  /// Of `total` things, called `unit` (plural), `done` were made before this run began.
   Progress(std::string unit, std::int64_t done, std::int64_t total);
 
-  /// Counts `more` things done; `current` says what is being worked on.
+  /// Counts `more` things done; `current` names the last of them.
   void advance(std::int64_t more, const std::string& current);
 
-  /// The last line: how many things this run did, and how fast.
+  /// Prints the last line: how many things this run made, and how fast.
   void finish();
 
  private:

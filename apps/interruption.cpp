@@ -1,4 +1,4 @@
-#include "production/interruption.h"
+#include "apps/interruption.h"
 
 #include <signal.h>
 
@@ -35,8 +35,9 @@ int run_interruptible(const std::string& name, const std::function<int()>& work)
   }
 }
 
-bool is_interrupted() {
-  return interrupted;
+Watch interruptible_watch() {
+  return {.must_stop = [] { return interrupted.load(); },
+          .note = [](const std::string& line) { std::cout << line << "\n"; }};
 }
 
 }  // namespace cps

@@ -1,0 +1,40 @@
+#include "apps/dataset/job_flags.h"
+
+#include <boost/program_options/errors.hpp>
+
+#include "production/drive_text.h"
+#include "sampler/recipe/rig_file.h"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+DriveOptions drive_from_flags(const po::variables_map& values, const Recipe& recipe) {
+  DriveOptions drive{.metres_per_unit = values["metres_per_unit"].as<double>(), .route = {}};
+  if (values.count("route") > 0) drive.route = values["route"].as<std::string>();
+  if (const std::string fault = fault_of(drive, recipe); !fault.empty()) throw po::error("--" + fault);
+  return drive;
+}
+
+}  // namespace
+
+po::options_description drive_flags() {
+  po::options_description flags("Scenes without metres or lanes");
+  flags.add_options()("metres_per_unit", po::value<double>()->default_value(0),
+                      "metres per unit of the scenes; 0: 1 if they have lanes, otherwise estimated");
+  flags.add_options()("route", po::value<std::string>(),
+                      "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
+                      "cars follow the scene's lanes, or else a drive that is searched for");
+  return flags;
+}
+
+DatasetJob job_from_flags(const po::variables_map& values, const fs::path& root) {
+  const Recipe recipe = recipe_from(values);
+  const fs::path recipe_folder =
+      values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
+  return new_job(recipe, find_rig(recipe.rig, recipe_folder), drive_from_flags(values, recipe), root);
+}
+
+}  // namespace cps
