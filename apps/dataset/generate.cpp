@@ -1,11 +1,10 @@
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <iostream>
 #include <set>
 
 #include "apps/dataset/recipe_file.h"
 #include "apps/options.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "dataset/job/finish.h"
 #include "dataset/job/gaps.h"
@@ -126,18 +125,16 @@ int cps_generate(const Arguments& arguments) {
   options.add_options()("recipe", po::value<std::string>(),
                         "recipe file, or the name of one that is installed, as cps-v2")(
       "out", po::value<std::string>()->required(), "the dataset's folder")(
-      "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4")(
-      "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
+      "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4");
+  add_threads_option(options);
   options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
   store_named_recipe(values);
   po::notify(values);
 
-  const int threads = values["threads"].as<int>();
-  if (threads < 1) throw po::error("threads: must be at least 1");
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads); });
+  const ThreadLimit threads(values);
+  return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads.count); });
 }
 
 }  // namespace cps

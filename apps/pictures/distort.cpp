@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <iostream>
 #include <stdexcept>
 
 #include "apps/options.h"
 #include "apps/pictures/resampling.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/label_algebra.h"
@@ -137,8 +136,7 @@ are made all the same, and the exit status is 1.
     return 0;
   po::notify(values);
   check_all(request, values);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
   const Pinhole source = source_camera(request, jobs);

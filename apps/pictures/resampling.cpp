@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "apps/threads.h"
+
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
@@ -24,7 +26,7 @@ po::options_description describe(ResamplingRequest& request) {
   add("label-format", po::value(&request.label_format)->default_value(request.label_format),
       "cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
   add("label", po::value(&request.label_file), "the label's file [beside the pictures]");
-  add("threads", po::value(&request.threads)->default_value(request.threads), "0: all");
+  add_threads_option(options);
   return options;
 }
 
@@ -42,7 +44,6 @@ void check(const ResamplingRequest& request) {
   }
   if (!(request.sigma_px >= 0.3 && request.sigma_px <= 4))
     throw po::error("--sigma: must lie between 0.3 and 4 pixels");
-  if (request.threads < 0) throw po::error("--threads: must be 0 or more");
 }
 
 Resampling resampling_of(const ResamplingRequest& request) {

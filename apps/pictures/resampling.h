@@ -18,7 +18,6 @@ struct ResamplingRequest {
   std::string resampling = "footprint", encoding = "auto";
   std::string label_format = "cps", label_file;
   double sigma_px = 0.5;
-  int threads = 0;  ///< 0: all
 };
 
 /// The flags of all members, with their help.

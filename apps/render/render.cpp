@@ -1,6 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "apps/render/output_file.h"
 #include "apps/render/replay.h"
 #include "apps/render/view.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "numbers/angles.h"
 #include "production/progress.h"
@@ -122,8 +121,7 @@ int cps_render(const Arguments& arguments) {
   po::notify(values);
   finish(request);
   const WantedLayers wanted = wanted_layers(request);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const LoadedScene scene = load(request);
   const LensView view = lens_view(request, scene.ideal);

@@ -27,6 +27,19 @@ TEST_CASE("wrong usage exits 2 with one line") {
   check_refused("generate --out", 2, "out");
 }
 
+TEST_CASE("--threads means the same in every verb: 0 for all cores, nothing below") {
+  const TemporaryFolder temporary;
+  const std::string out = (temporary.path / "out").string();
+  for (const std::string& verb :
+       {"generate --out " + out, "plan --out " + out, "render scene.glb -o " + out + ".png",
+        "distort a.png -o " + out + " --hfov 60 --lens l.json",
+        "undistort a.png -o " + out + " --lens l.json", "relens --kitti k -o " + out}) {
+    check_refused(verb + " --threads -1", 2, "--threads -1: must lie in [0, 4096]");
+    check_refused(verb + " --threads 1.5", 2, "threads");
+    CHECK_THAT(run_cps(verb + " --threads 0").output, !Catch::Contains("threads"));
+  }
+}
+
 TEST_CASE("help is printed for every verb and exits 0") {
   CHECK(run_cps("help").exit_status == 0);
   for (const char* verb : {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet", "lens",
