@@ -68,7 +68,8 @@ bool RelensOptions::is_valid(std::string* why) const {
     *why = "narrowest: must lie in (0, 1]";
     return false;
   }
-  return lens.is_valid(why);
+  *why = lens.fault();
+  return why->empty();
 }
 
 std::vector<RelensGroup> draw_relens_groups(const Pinhole& straight, const std::string& camera,

@@ -1,9 +1,10 @@
 #include "scenes/solar_position.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "numbers/angles.h"
 
@@ -28,29 +29,21 @@ double days_since_2000(const Moment& moment) {
   return static_cast<double>(days.count()) - 0.5 + moment.hour / 24;
 }
 
-template <typename... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
-}
-
 }  // namespace
 
-bool Moment::is_valid(std::string* why) const {
-  if (year >= 1950 && year <= 2050 && month > 0 && day > 0 && date_of(*this).ok() && hour >= 0 && hour <= 24)
-    return true;
-  if (why) *why = "date and time: must be a day from 1950 to 2050 and an hour from 0 to 24";
-  return false;
+std::string Moment::fault() const {
+  const bool is_possible =
+      year >= 1950 && year <= 2050 && month > 0 && day > 0 && date_of(*this).ok() && hour >= 0 && hour <= 24;
+  return is_possible ? "" : "date and time: must be a day from 1950 to 2050 and an hour from 0 to 24";
 }
 
 std::string date_text(const Moment& moment) {
-  return formatted("%04d-%02d-%02d", moment.year, moment.month, moment.day);
+  return fmt::format("{:04}-{:02}-{:02}", moment.year, moment.month, moment.day);
 }
 
 std::string time_text(const Moment& moment) {
   const int seconds = std::min(static_cast<int>(moment.hour * 3600), 24 * 3600 - 1);
-  return formatted("%02d:%02d:%02d", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  return fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
 
 SolarPosition solar_position(const Moment& moment, double latitude_deg, double longitude_deg) {

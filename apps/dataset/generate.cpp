@@ -124,7 +124,7 @@ int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
                         "recipe file, or the name of one that is installed, as cps-v2")(
-      "out", po::value<std::string>()->required(), "the dataset's folder")(
+      "out,o", po::value<std::string>()->required(), "the dataset's folder")(
       "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4");
   add_threads_option(options);
   options.add(drive_flags()).add(recipe_options());

@@ -35,7 +35,7 @@ int cps_plan(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
                         "recipe file, or the name of one that is installed, as cps-v2")(
-      "out", po::value<std::string>()->default_value("."), "where the dataset would go: for its free space")(
+      "out,o", po::value<std::string>()->default_value("."), "where the dataset would go: for its free space")(
       "cores", po::value<int>()->default_value(tbb::info::default_concurrency()), "for the time it takes")(
       "price", po::value<double>()->default_value(0), "of a core-hour")(
       "conditions", po::value<int>()->default_value(5), "so many are measured, a view of every set in each")(

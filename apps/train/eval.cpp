@@ -40,7 +40,7 @@ po::options_description describe(Request& r) {
       "leave out what cannot be read, and say so, instead of stopping");
   add("device", po::value(&r.device)->default_value(r.device), "cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "0: all cores");
-  add("out", po::value(&r.out), "everything as JSON; a page goes beside it [MODEL/eval.json, …]");
+  add("out,o", po::value(&r.out), "everything as JSON; a page goes beside it [MODEL/eval.json, …]");
   return options;
 }
 

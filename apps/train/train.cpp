@@ -83,7 +83,7 @@ int train_verb(const Arguments& arguments) {
 
   po::options_description files("What to train");
   files.add_options()("data", po::value<std::string>(&data)->required(), "the dataset's folder")(
-      "out", po::value<std::string>(&out)->required(), "the model's folder, made if need be")(
+      "out,o", po::value<std::string>(&out)->required(), "the model's folder, made if need be")(
       "preset", po::value<std::string>(), (presets + "the flags below override it").c_str())(
       "device", po::value<std::string>(&device)->default_value("cpu"), "cpu or cuda")(
       "resume", po::bool_switch(), "go on with the model in --out where it stopped, with its own options");

@@ -25,6 +25,10 @@ TEST_CASE("wrong usage exits 2 with one line") {
     check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
   check_refused("verify", 2, "dataset");
   check_refused("generate --out", 2, "out");
+  check_refused("city --style village -o a.glb", 2, "--style village: ");
+  check_refused("city --traffic 3 -o a.glb", 2, "--traffic: must lie in [0, 2]");
+  check_refused("city --extent-m 9 -o a.glb", 2, "--extent_m: must lie in [300, 1200]");
+  check_refused("city --seed 1", 2, "--out");
 }
 
 TEST_CASE("--threads means the same in every verb: 0 for all cores, nothing below") {

@@ -43,8 +43,8 @@ TEST_CASE("every pixel of a relensed picture shows the ray that its label says")
     for (int y = 0; y < 50; ++y)
       for (int x = 0; x < 80; ++x) {
         const double expected = value_of(ideal_of(label.camera, label.distortion, frame, x, y));
-        // A pixel of the output is 2/fx of the value. Filtering is done on linear light, which bends a ramp a
-        // little, and twice.
+        // One output pixel is a step of 2/fx. The tolerance allows for two filterings of a ramp in linear
+        // light.
         worst_px =
             std::max(worst_px, std::abs(pixels.getchannel(x, y, 0, 0) - expected) * 2 * label.camera.fx);
       }
