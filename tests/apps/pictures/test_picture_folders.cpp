@@ -36,9 +36,9 @@ TEST_CASE("pictures of another size are refused, or their calibration is scaled"
   const std::string common = "undistort " + in.string() + " -o " + out.string() + " --lens " + lens.string();
   CHECK(run_cps(common).exit_status == 1);
   run_well(common + " --rescale --keep camera");
-  const Pinhole scaled = label(folder.path / "b_calibration.json").camera;
-  CHECK(scaled.fx == barrel.camera.fx / 2);
-  CHECK(scaled.cx == (barrel.camera.cx + 0.5) / 2 - 0.5);
+  const Pinhole scaled = label(folder.path / "b_calibration.json").pinhole;
+  CHECK(scaled.fx == barrel.pinhole.fx / 2);
+  CHECK(scaled.cx == (barrel.pinhole.cx + 0.5) / 2 - 0.5);
 }
 
 TEST_CASE("distort and undistort refuse wrong usage and impossible things in one line") {

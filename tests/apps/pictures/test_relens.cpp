@@ -23,11 +23,11 @@ Eigen::Vector2d ideal_of(const Pinhole& camera, const Distortion& lens, const Fr
 TEST_CASE("every pixel of a relensed picture shows the ray that its label says") {
   const TemporaryFolder folder;
   const fs::path lens = write_barrel(folder.path), out = folder.path / "set";
-  const FrameCertificate seen = certify_frame(barrel.distortion, barrel.camera, one_to_one);
+  const FrameCertificate seen = certify_frame(barrel.distortion, barrel.pinhole, one_to_one);
   for (int i = 0; i < 2; ++i)
     write_image(
         folder.path / "photos" / (std::to_string(i) + ".png"), 160, 100, 1, OIIO::TypeUInt16,
-        [&](int x, int y, int) { return value_of(ideal_of(barrel.camera, barrel.distortion, seen, x, y)); });
+        [&](int x, int y, int) { return value_of(ideal_of(barrel.pinhole, barrel.distortion, seen, x, y)); });
   run_well("relens --pictures " + (folder.path / "photos").string() + " --lens " + lens.string() + " -o " +
            out.string() + " --lenses 4 --seed 2");
   const Dataset set = read_dataset(out);
