@@ -1,5 +1,7 @@
 #include "scenes/city/city.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "apps/options.h"
@@ -8,33 +10,50 @@
 namespace po = boost::program_options;
 
 namespace cps {
+namespace {
+
+constexpr const char* manual =
+    R"(cps city: make a procedural city
+
+Usage: cps city [--seed N] [--style NAME] [--KEY VALUE ...] -o FILE.glb
+
+Writes a glTF scene of streets, houses, trees, parked cars, traffic and people,
+with the lanes that a car may drive on. The same options make the same file.
+)";
+
+po::options_description describe(CityOptions& city, std::string& style, std::filesystem::path& output) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("out,o", path_value(output)->required(), "the .glb file to write");
+  add("seed", po::value(&city.seed)->default_value(city.seed),
+      "seed of streets, houses and trees, a whole number from 0");
+  add("traffic-seed", po::value(&city.traffic_seed)->default_value(city.traffic_seed),
+      "seed of traffic, parked cars and people: another one shows the same streets on another day");
+  add("style", po::value(&style)->default_value(style),
+      fmt::format("what is built: {}", fmt::join(city_style_names(), ", ")).c_str());
+  add("extent-m", po::value(&city.extent_m)->default_value(city.extent_m),
+      "side length of the area with streets, metres, 300 to 1200");
+  add("tree-density", po::value(&city.tree_density)->default_value(city.tree_density),
+      "trees, as a multiple of the seed's own density: 0 (none) to 3");
+  add("parked-cars", po::value(&city.parked_cars)->default_value(city.parked_cars),
+      "parked cars, as a multiple of the seed's own density: 0 (none) to 2");
+  add("traffic", po::value(&city.traffic)->default_value(city.traffic),
+      "traffic on the lanes, as a multiple of the style's share: 0 (none) to 2");
+  return options;
+}
+
+}  // namespace
 
 int cps_city(const Arguments& arguments) {
   CityOptions city;
-  std::string styles = "one of";
-  for (const std::string& name : city_style_names()) styles += " " + name;
-  po::options_description options("Options");
-  options.add_options()("output,o", po::value<std::string>()->required(), "the .glb to write")(
-      "seed", po::value(&city.seed)->default_value(city.seed), "the same seed makes the same file")(
-      "traffic-seed", po::value(&city.traffic_seed)->default_value(city.traffic_seed),
-      "another one: other vehicles and people in the same streets")(
-      "style", po::value<std::string>()->default_value(to_string(city.style)), styles.c_str())(
-      "extent-m", po::value(&city.extent_m)->default_value(city.extent_m), "side of the area with streets")(
-      "tree-density", po::value(&city.tree_density)->default_value(city.tree_density), "0: none … 3")(
-      "parked-cars", po::value(&city.parked_cars)->default_value(city.parked_cars), "0: none … 2")(
-      "traffic", po::value(&city.traffic)->default_value(city.traffic), "0: none … 2");
+  std::string style = to_string(city.style);
+  std::filesystem::path output;
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps city --style NAME --seed N -o FILE.glb\nA city to drive through: streets, houses, "
-                     "trees, parked cars and "
-                     "the lanes between them.\n",
-                     options, {}, values))
-    return 0;
+  if (!parse_options(arguments, manual, describe(city, style, output), {}, values)) return 0;
   po::notify(values);
-  city.style = city_style_from(values["style"].as<std::string>());
-  if (std::string why; !city.is_valid(&why)) throw po::error(why);
-  const std::string output = values["output"].as<std::string>();
-  std::cout << write_city(city, output).brief() << '\n' << output << '\n';
+  city.style = flag_value<CityStyle>("style", style);
+  refuse_flags_with(city.fault());
+  std::cout << write_city(city, output).brief() << '\n' << output.string() << '\n';
   return 0;
 }
 

@@ -21,30 +21,36 @@ const std::vector<Verb>& verbs() {
     return [verb](const Arguments& arguments) { return cps::run_cps_train(verb, arguments); };
   };
   static const std::vector<Verb> table = {
-      {"city", "make a city .glb from a seed", cps::cps_city},
+      {"city", "make a procedural city, a .glb, from a seed", cps::cps_city},
       {"render", "render one view of a glTF scene", cps::cps_render},
-      {"plan", "what a recipe will make and cost, before it is begun", cps::cps_plan},
-      {"generate", "make a dataset from a recipe; picks up where it stopped", cps::cps_generate},
-      {"finish", "join the shards of a dataset, or say what is missing", cps::cps_finish},
+      {"plan", "estimate what a recipe makes and costs", cps::cps_plan},
+      {"generate", "make a dataset from a recipe, or resume one", cps::cps_generate},
+      {"finish", "join the shards of a dataset", cps::cps_finish},
       {"verify", "check every file of a dataset against its labels", cps::cps_verify},
-      {"contact-sheet", "a picture of a dataset: views through their lenses", cps::cps_contact_sheet},
-      {"lens", "limits of lenses; check a calibration; draw lenses", cps::cps_lens},
-      {"distort", "send pictures through a lens, with labels", cps::cps_distort},
+      {"contact-sheet", "draw views of a dataset through their lenses, in one picture",
+       cps::cps_contact_sheet},
+      {"lens", "compute limits of lenses, check a calibration, draw lenses", cps::cps_lens},
+      {"distort", "show ideal pictures through a lens, with labels", cps::cps_distort},
       {"undistort", "straighten pictures taken through a lens", cps::cps_undistort},
-      {"relens", "real pictures shown through many lenses, with exact labels", cps::cps_relens},
+      {"relens", "make a test set from real pictures, through many lenses", cps::cps_relens},
       {"train", "train a network on a dataset", train("train")},
       {"eval", "measure a trained network on a dataset", train("eval")},
-      {"predict", "what a trained network says of images", train("predict")},
+      {"predict", "run a trained network on pictures", train("predict")},
   };
   return table;
 }
 
 int usage(std::ostream& out) {
-  out << "cps: training data for camera calibration\n\nUsage: cps VERB [options]; cps help VERB says "
-         "more.\n\n";
+  out << "cps: training data for camera calibration\n\n"
+         "Usage: cps VERB [options]\n\n";
   for (const Verb& verb : verbs())
     out << "  " << verb.name << std::string(16 - std::string(verb.name).size(), ' ') << verb.summary << "\n";
-  out << "\nExit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted: run it again.\n";
+  out << R"(
+cps help VERB describes a verb and its options. Option names may be written with
+- or _: --max-zoom is --max_zoom.
+
+Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted: run it again.
+)";
   return 0;
 }
 
@@ -67,14 +73,14 @@ int run(Arguments arguments) {
   }
   for (const Verb& verb : verbs())
     if (name == verb.name) return verb.run(arguments);
-  std::cerr << "cps: '" << name << "' is not a verb; cps help lists them\n";
+  std::cerr << "cps: '" << name << "' is not a verb; cps help lists the verbs\n";
   return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // so that a file over the size limit is an error, like a full disk
   return run(Arguments(argv + 1, argv + argc));
 } catch (const boost::program_options::error& error) {
   std::cerr << "cps: " << error.what() << "\n";

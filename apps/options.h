@@ -1,7 +1,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
-#include <iostream>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,25 +10,21 @@
 
 namespace cps {
 
-/// Parses a verb's arguments. With --help, prints `usage` and the options and returns false. Unknown flags
+/// Parses a verb's arguments. With --help, prints `manual` and the options and returns false. Unknown options
 /// and missing values throw boost::program_options::error.
-inline bool parse_options(const std::vector<std::string>& arguments, const std::string& usage,
-                          boost::program_options::options_description visible,
-                          const boost::program_options::positional_options_description& positional,
-                          boost::program_options::variables_map& values) {
-  namespace po = boost::program_options;
-  visible.add_options()("help,h", "this text");
-  // Options may not be shortened: a recipe key added later must not change what a script means.
-  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(po::command_line_parser(arguments).options(visible).positional(positional).style(style).run(),
-            values);
-  if (values.count("help") == 0) return true;
-  std::cout << usage << "\n" << visible;
-  return false;
-}
+///
+/// Option names may be written with `-` or `_` (--max-zoom is --max_zoom), and a few have a second name that
+/// every verb accepts, such as --output for --out.
+bool parse_options(const std::vector<std::string>& arguments, const std::string& manual,
+                   boost::program_options::options_description visible,
+                   const boost::program_options::positional_options_description& positional,
+                   boost::program_options::variables_map& values);
 
-/// The text of a flag as a number, a size, or a list of them. Throws boost::program_options::error naming the
-/// flag.
+/// A value that is read as a whole, spaces included; Boost cuts a std::filesystem::path at the first space.
+boost::program_options::typed_value<std::string>* path_value(std::filesystem::path& target);
+
+/// The text of an option as a number, a size, or a list of them. Throws boost::program_options::error naming
+/// the option.
 template <typename T>
 T flag_value(const std::string& flag, const std::string& text) {
   T value{};
@@ -40,14 +36,19 @@ T flag_value(const std::string& flag, const std::string& text) {
   return value;
 }
 
-/// read_keys() for flags: what cannot be read is wrong usage.
+/// read_keys() for options of the command line: a value that cannot be read is wrong usage.
 template <typename ForEachKey>
 void read_key_flags(const boost::program_options::variables_map& values, ForEachKey&& for_each_key) {
   try {
     read_keys(values, for_each_key);
   } catch (const std::runtime_error& error) {
-    throw boost::program_options::error(error.what());
+    throw boost::program_options::error(std::string("--") + error.what());
   }
+}
+
+/// Throws boost::program_options::error naming the option, unless `fault`, "key: what is wrong", is empty.
+inline void refuse_flags_with(const std::string& fault) {
+  if (!fault.empty()) throw boost::program_options::error("--" + fault);
 }
 
 }  // namespace cps

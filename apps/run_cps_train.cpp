@@ -14,7 +14,7 @@ int run_cps_train(const std::string& verb, const Arguments& arguments) {
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cps-train";
   if (!std::filesystem::exists(program))
     throw std::runtime_error("cps " + verb + ": " + program.string() +
-                             " is missing; build or install the trainer");
+                             " is missing; build or install the trainer (CPS_TRAINER=ON)");
   std::vector<std::string> words = {program.string(), verb};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-/// The verbs of `cps`, one file each. Arguments are what follows the verb. They return 0, or 1 where the work
-/// was done and found something wrong (verify); throw boost::program_options::error for wrong usage (exit 2)
-/// and std::runtime_error, one line, for what failed (exit 1).
+/// The verbs of `cps`, one file each. Each takes the arguments after the verb and returns the exit status: 0,
+/// or 1 if a check (verify, lens check) found something wrong. Throws boost::program_options::error for wrong
+/// usage (exit 2) and std::runtime_error, one line, for a failure (exit 1).
 namespace cps {
 
 using Arguments = std::vector<std::string>;
@@ -22,7 +22,8 @@ int cps_distort(const Arguments& arguments);
 int cps_undistort(const Arguments& arguments);
 int cps_relens(const Arguments& arguments);
 
-/// train, eval and predict: runs cps-train, found beside this program, with the verb and its arguments.
+/// train, eval and predict: replaces this process by cps-train, found beside this program, with the verb and
+/// its arguments.
 int run_cps_train(const std::string& verb, const Arguments& arguments);
 
 }  // namespace cps

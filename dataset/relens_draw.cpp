@@ -40,9 +40,7 @@ std::string RelensOptions::fault() const {
   if (size != ImageSize{0, 0} && (size.width < 32 || size.height < 32))
     return "size: must be at least 32x32 pixels";
   if (!(narrowest > 0 && narrowest <= 1)) return "narrowest: must lie in (0, 1]";
-  std::string why;
-  lens.is_valid(&why);
-  return why;
+  return lens.fault();
 }
 
 std::vector<RelensGroup> draw_relens_groups(const Pinhole& straight, const std::string& camera,

@@ -6,10 +6,10 @@
 #include <chrono>
 #include <mutex>
 
+#include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
 #include "production/view_images.h"
 #include "production/view_render.h"
-#include "numbers/cpu_time.h"
 
 namespace cps {
 namespace {

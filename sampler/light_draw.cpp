@@ -10,16 +10,11 @@ constexpr int max_attempts = 10'000;
 constexpr int drawn_year = 2025;
 
 enum Drawn : std::uint64_t { weather, haze };
-/// For each attempt, from a stream of its own.
+/// Drawn again in each attempt, from a stream of its own.
 enum DrawnMoment : std::uint64_t { day_of_year, hour };
 
 bool is_between(double value, double low, double high) {
   return value >= low && value <= high;
-}
-
-bool refuse(const char* line, std::string* why) {
-  if (why) *why = line;
-  return false;
 }
 
 Moment draw_moment(const LightOptions& options, Stream draw) {
@@ -53,21 +48,21 @@ std::string to_string(Weather weather) {
   return "overcast";
 }
 
-bool LightOptions::is_valid(std::string* why) const {
-  if (!is_between(latitude_deg, -90, 90)) return refuse("latitude_deg: must lie in [-90, 90]", why);
-  if (!is_between(longitude_deg, -180, 180)) return refuse("longitude_deg: must lie in [-180, 180]", why);
+std::string LightOptions::fault() const {
+  if (!is_between(latitude_deg, -90, 90)) return "latitude_deg: must lie in [-90, 90]";
+  if (!is_between(longitude_deg, -180, 180)) return "longitude_deg: must lie in [-180, 180]";
   if (!is_between(day_min, 1, 365) || !is_between(day_max, day_min, 365))
-    return refuse("day_min ≤ day_max: must lie in [1, 365]", why);
+    return "day_min ≤ day_max: must lie in [1, 365]";
   if (!is_between(sun_elevation_min_deg, 1, 90) ||
       !is_between(sun_elevation_max_deg, sun_elevation_min_deg, 90))
-    return refuse("sun_elevation_min_deg ≤ sun_elevation_max_deg: must lie in [1, 90]", why);
+    return "sun_elevation_min_deg ≤ sun_elevation_max_deg: must lie in [1, 90]";
   if (!is_between(clear_share, 0, 1) || !is_between(hazy_share, 0, 1 - clear_share))
-    return refuse("clear_share, hazy_share: must lie in [0, 1], and their sum too", why);
+    return "clear_share, hazy_share: must lie in [0, 1], and their sum too";
   if (!is_between(turbidity_min, 2, 10) || !is_between(turbidity_max, turbidity_min, 10))
-    return refuse("turbidity_min ≤ turbidity_max: must lie in [2, 10]", why);
+    return "turbidity_min ≤ turbidity_max: must lie in [2, 10]";
   if (!is_between(hazy_turbidity_min, 2, 10) || !is_between(hazy_turbidity_max, hazy_turbidity_min, 10))
-    return refuse("hazy_turbidity_min ≤ hazy_turbidity_max: must lie in [2, 10]", why);
-  return true;
+    return "hazy_turbidity_min ≤ hazy_turbidity_max: must lie in [2, 10]";
+  return "";
 }
 
 DrawnLight draw_light(const LightOptions& options, Stream stream) {
@@ -89,7 +84,7 @@ DrawnLight draw_light(const LightOptions& options, Stream stream) {
   }
   throw std::runtime_error(
       "recipe: sun_elevation_min_deg, sun_elevation_max_deg: at latitude_deg, from day_min to day_max, the "
-      "sun does not stand there; widen them");
+      "sun does not reach that range; widen it");
 }
 
 }  // namespace cps

@@ -14,16 +14,17 @@ std::vector<Part> deal_parts(std::span<const double> weights, double train_share
   double dealt[3] = {0, 0, 0};
   std::vector<Part> parts(weights.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const std::size_t thing = order[rank];
-    // The first three go one to each part, so none stays empty; then each thing goes where most is missing.
+    const std::size_t item = order[rank];
+    // The first three items go to one part each, so that none stays empty; each further one goes to the part
+    // that is furthest below its target.
     int part = static_cast<int>(rank);
     if (rank >= 3) {
       part = 0;
       for (int other : {1, 2})
         if (targets[other] - dealt[other] > targets[part] - dealt[part]) part = other;
     }
-    dealt[part] += weights[thing];
-    parts[thing] = static_cast<Part>(part);
+    dealt[part] += weights[item];
+    parts[item] = static_cast<Part>(part);
   }
   return parts;
 }

@@ -8,9 +8,9 @@
 
 namespace cps {
 
-/// Deals `weights.size()` things out to train, val and test in a drawn order, so that each part's share of
-/// the weight comes as near to `train_share`, `val_share` and the rest as whole things allow; each part gets
-/// at least one. Needs at least three things.
+/// Assigns items with these weights to train, val and test in random order, so that the parts' shares of the
+/// weight come as close to `train_share`, `val_share` and the rest as whole items allow. Every part gets at
+/// least one item; there must be at least three.
 std::vector<Part> deal_parts(std::span<const double> weights, double train_share, double val_share,
                              Stream stream);
 

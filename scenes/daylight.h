@@ -32,8 +32,8 @@ struct Daylight {
   /// uses the atmosphere's model and the other skies have no sun.
   std::optional<Eigen::Vector3f> sun_irradiance_klx = std::nullopt;
 
-  /// One line that names the field and its range when something is off.
-  bool is_valid(std::string* why) const;
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
 /// Unit vector from the world to the sun (y up).

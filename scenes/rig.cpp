@@ -7,11 +7,6 @@
 namespace cps {
 namespace {
 
-bool refuse(std::string* why, const std::string& text) {
-  if (why) *why = text;
-  return false;
-}
-
 /// Camera names become folder names.
 bool is_plain_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 &&
@@ -21,26 +16,23 @@ bool is_plain_name(const std::string& name) {
 
 }  // namespace
 
-bool RigCamera::is_valid(std::string* why) const {
-  if (!is_plain_name(name))
-    return refuse(why, "name = \"" + name + "\" must be 1 to 64 letters, digits, - or _");
-  if (!(position_m.norm() <= 50)) return refuse(why, "position_m must lie within 50 m of the car's origin");
-  if (!(std::abs(yaw_deg) <= 180)) return refuse(why, "yaw_deg must be within -180 and 180");
-  if (!(std::abs(pitch_deg) <= 90)) return refuse(why, "pitch_deg must be within -90 and 90");
-  if (!(std::abs(roll_deg) <= 180)) return refuse(why, "roll_deg must be within -180 and 180");
-  return true;
+std::string RigCamera::fault() const {
+  if (!is_plain_name(name)) return "name = \"" + name + "\" must be 1 to 64 letters, digits, - or _";
+  if (!(position_m.norm() <= 50)) return "position_m must lie within 50 m of the car's origin";
+  if (!(std::abs(yaw_deg) <= 180)) return "yaw_deg must be within -180 and 180";
+  if (!(std::abs(pitch_deg) <= 90)) return "pitch_deg must be within -90 and 90";
+  if (!(std::abs(roll_deg) <= 180)) return "roll_deg must be within -180 and 180";
+  return "";
 }
 
-bool Rig::is_valid(std::string* why) const {
-  if (cameras.empty()) return refuse(why, "has no camera");
+std::string Rig::fault() const {
+  if (cameras.empty()) return "has no camera";
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    std::string fault;
-    if (!cameras[i].is_valid(&fault)) return refuse(why, cameras[i].name + ": " + fault);
+    if (const std::string fault = cameras[i].fault(); !fault.empty()) return cameras[i].name + ": " + fault;
     for (std::size_t j = 0; j < i; ++j)
-      if (cameras[j].name == cameras[i].name)
-        return refuse(why, cameras[i].name + ": is the name of two cameras");
+      if (cameras[j].name == cameras[i].name) return cameras[i].name + ": is the name of two cameras";
   }
-  return true;
+  return "";
 }
 
 Eigen::Isometry3d vehicle_from_camera(const RigCamera& camera) {

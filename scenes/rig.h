@@ -22,14 +22,15 @@ struct RigCamera {
   Eigen::Vector3d position_m = {1.68, 0.0, 1.65};
   double yaw_deg = 0, pitch_deg = 0,
          roll_deg = 0;  ///< left, up and clockwise positive (about z, −y, x; applied in this order)
-  bool is_valid(std::string* why) const;
+  /// Empty if the camera is usable; otherwise one line that names the field and its range.
+  std::string fault() const;
 };
 
 /// The cameras of one car. At every place each of them takes a view.
 struct Rig {
   std::vector<RigCamera> cameras = {RigCamera{}};
-  /// Whether there are cameras, each valid, no two of one name.
-  bool is_valid(std::string* why) const;
+  /// Empty if there are cameras, each usable, no two of one name; otherwise one line that names the camera.
+  std::string fault() const;
 };
 
 /// The transform vehicle ← camera (x right, y down, z forward), as in KITTI's extrinsics.

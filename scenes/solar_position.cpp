@@ -31,11 +31,10 @@ double days_since_2000(const Moment& moment) {
 
 }  // namespace
 
-bool Moment::is_valid(std::string* why) const {
-  if (year >= 1950 && year <= 2050 && month > 0 && day > 0 && date_of(*this).ok() && hour >= 0 && hour <= 24)
-    return true;
-  if (why) *why = "date and time: must be a day from 1950 to 2050 and an hour from 0 to 24";
-  return false;
+std::string Moment::fault() const {
+  const bool is_possible =
+      year >= 1950 && year <= 2050 && month > 0 && day > 0 && date_of(*this).ok() && hour >= 0 && hour <= 24;
+  return is_possible ? "" : "date and time: must be a day from 1950 to 2050 and an hour from 0 to 24";
 }
 
 std::string date_text(const Moment& moment) {

@@ -8,8 +8,8 @@ namespace cps {
 struct Moment {
   int year = 2025, month = 6, day = 21;
   double hour = 12;  ///< 0 … 24
-  /// Whether there is such a day, between 1950 and 2050.
-  bool is_valid(std::string* why) const;
+  /// Empty if there is such a day, between 1950 and 2050; otherwise one line that says what a moment must be.
+  std::string fault() const;
 };
 
 /// `2025-06-21`

@@ -11,28 +11,40 @@
 namespace po = boost::program_options;
 
 namespace cps {
+namespace {
+
+constexpr const char* manual =
+    R"(cps contact-sheet: draw views of a dataset through their lenses
+
+Usage: cps contact-sheet DATASET -o FILE.png [--rows N] [--columns N]
+
+Draws one picture of a dataset: a row per view, its images side by side, each
+through its lens and with its label.
+)";
+
+}  // namespace
 
 int cps_contact_sheet(const Arguments& arguments) {
   ContactSheetOptions sheet;
   po::options_description options("Options");
-  options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder")(
-      "output,o", po::value<std::string>()->required(), "the picture, a .png")(
-      "rows", po::value(&sheet.rows_per_set)->default_value(sheet.rows_per_set), "views of each set")(
-      "columns", po::value(&sheet.columns)->default_value(sheet.columns), "most images of each view")(
-      "tile-width", po::value(&sheet.tile_width_px)->default_value(sheet.tile_width_px), "pixels");
+  auto add = options.add_options();
+  add("dataset", po::value<std::string>()->required(),
+      "the dataset's folder; its name alone will do, without --dataset");
+  add("out,o", po::value<std::string>()->required(), "the .png file to write");
+  add("rows", po::value(&sheet.rows_per_set)->default_value(sheet.rows_per_set),
+      "number of views from each set of one size and H-FOV");
+  add("columns", po::value(&sheet.columns)->default_value(sheet.columns),
+      "largest number of images per view");
+  add("tile-width", po::value(&sheet.tile_width_px)->default_value(sheet.tile_width_px),
+      "width of an image in the sheet, pixels");
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps contact-sheet DATASET -o FILE\nOne picture of a dataset: views side by side "
-                     "through their lenses, "
-                     "with their labels.\n",
-                     options, positional, values))
-    return 0;
+  if (!parse_options(arguments, manual, options, positional, values)) return 0;
   po::notify(values);
   if (const std::string fault = sheet.fault(); !fault.empty()) throw po::error(fault);
   const Dataset dataset = read_dataset(values["dataset"].as<std::string>());
-  const std::string output = values["output"].as<std::string>();
+  const std::string output = values["out"].as<std::string>();
   write_file(output, encode_png(contact_sheet(dataset, sheet)));
   std::cout << output << ": " << dataset.images.size() << " images, " << dataset.groups.size() << " groups\n";
   return 0;

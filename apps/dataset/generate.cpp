@@ -1,5 +1,3 @@
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <iostream>
 
@@ -8,6 +6,7 @@
 #include "apps/interruption.h"
 #include "apps/options.h"
 #include "apps/progress.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "dataset/job/finish.h"
 #include "production/make_views.h"
@@ -96,20 +95,18 @@ int generate(const po::variables_map& values, int threads) {
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of an installed recipe, such as cps-v2")(
-      "out", po::value<std::string>()->required(), "the dataset's folder")(
-      "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4")(
-      "threads", po::value<int>()->default_value(tbb::info::default_concurrency()), "how many to use");
+                        "recipe file, or the name of an installed recipe, such as cps-v3")(
+      "out,o", po::value<std::string>()->required(), "the dataset's folder")(
+      "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4");
+  add_threads_option(options);
   options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
   store_named_recipe(values);
   po::notify(values);
 
-  const int threads = values["threads"].as<int>();
-  if (threads < 1) throw po::error("threads: must be at least 1");
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads); });
+  const ThreadLimit threads(values);
+  return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads.count); });
 }
 
 }  // namespace cps

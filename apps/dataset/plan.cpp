@@ -1,4 +1,3 @@
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 
 #include <iostream>
@@ -6,6 +5,7 @@
 #include "apps/dataset/job_flags.h"
 #include "apps/dataset/recipe_file.h"
 #include "apps/options.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "production/costs/bill.h"
 
@@ -34,22 +34,21 @@ double free_bytes(fs::path folder) {
 int cps_plan(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of an installed recipe, such as cps-v2")(
-      "out", po::value<std::string>()->default_value("."),
+                        "recipe file, or the name of an installed recipe, such as cps-v3")(
+      "out,o", po::value<std::string>()->default_value("."),
       "the dataset's folder, to compare with the free space there")(
       "cores", po::value<int>()->default_value(tbb::info::default_concurrency()),
       "cores that will share the work, to estimate the time")("price", po::value<double>()->default_value(0),
                                                               "price of a core-hour")(
       "conditions", po::value<int>()->default_value(5),
-      "conditions to measure, with one view of each size and H-FOV in each")(
-      "threads", po::value<int>()->default_value(tbb::info::default_concurrency()),
-      "threads to measure with")("json", "print JSON");
+      "conditions to measure, with one view of each size and H-FOV in each")("json", "print JSON");
+  add_threads_option(options);
   options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
   if (!parse_options(arguments, usage, options, {}, values)) return 0;
   store_named_recipe(values);
   po::notify(values);
-  const int conditions = values["conditions"].as<int>(), threads = values["threads"].as<int>();
+  const int conditions = values["conditions"].as<int>();
   Resources resources{.cores = values["cores"].as<int>(),
                       .price_per_core_h = values["price"].as<double>(),
                       .folder = values["out"].as<std::string>()};
@@ -58,14 +57,13 @@ int cps_plan(const Arguments& arguments) {
   if (!(resources.price_per_core_h >= 0 && resources.price_per_core_h <= 1e6))
     throw po::error("--price: must lie in [0, 1000000]");
   if (conditions < 1 || conditions > 1000) throw po::error("--conditions: must lie in [1, 1000]");
-  if (threads < 1) throw po::error("--threads: must be at least 1");
 
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const ThreadLimit threads(values);
   const DatasetJob job = job_from_flags(values, resources.folder);
   resources.free_bytes = free_bytes(resources.folder);
   const RecipeCounts counts = count_out(job.recipe, static_cast<int>(job.rig.cameras.size()));
   const Pilot pilot = run_pilot(job.recipe, job.rig, job.drive, conditions);
-  const Bill bill = bill_of(job.recipe, counts, pilot, threads);
+  const Bill bill = bill_of(job.recipe, counts, pilot, threads.count);
   if (values.count("json") > 0)
     std::cout << to_json(job.recipe, bill, pilot, resources).dump(1) << "\n";
   else

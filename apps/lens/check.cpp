@@ -29,15 +29,14 @@ std::string verdict(const FrameCertificate& proof, const InversionSurvey& survey
   if (proof.valid())
     return fmt::format("yes, proved: local scale {:.4f} to {:.4f} wherever the image looks",
                        proof.certificate.min_eigenvalue, proof.certificate.max_eigenvalue);
-  return fmt::format("no: proved for {} of {} pixels ({:.3f} %); the others lie beyond",
-                     survey.pixels - survey.outside, survey.pixels,
-                     percent(survey.pixels - survey.outside, survey.pixels));
+  return fmt::format("no: proved for {} of {} pixels ({:.3f} %) only", survey.pixels - survey.outside,
+                     survey.pixels, percent(survey.pixels - survey.outside, survey.pixels));
 }
 
 std::string angles(const FieldsOfView& fov) {
   const std::string label = fmt::format("label {:.2f} x {:.2f} degrees; ", degrees(fov.label_horizontal_rad),
                                         degrees(fov.label_vertical_rad));
-  if (!fov.seen) return label + "what is seen goes beyond what is proved";
+  if (!fov.seen) return label + "the seen angles are unknown, as the image goes beyond what is proved";
   return label + fmt::format("seen {:.2f} horizontally, {:.2f} vertically, {:.2f} diagonally",
                              degrees(fov.seen->horizontal_rad), degrees(fov.seen->vertical_rad),
                              degrees(fov.seen->diagonal_rad));
@@ -47,8 +46,8 @@ std::string radial_limit_text(const Distortion& lens, const Eigen::AlignedBox2d&
   const double limit = radial_limit(lens);
   if (!std::isfinite(limit)) return "none: the radial part grows for ever";
   const double corner = rectangle.min().cwiseAbs().cwiseMax(rectangle.max().cwiseAbs()).norm();
-  return fmt::format("radius {:.4f}, {:.2f} degrees off the axis; what is proved goes to radius {:.4f}",
-                     limit, degrees(std::atan(limit)), corner);
+  return fmt::format("radius {:.4f}, {:.2f} degrees off the axis; the proof covers radius {:.4f}", limit,
+                     degrees(std::atan(limit)), corner);
 }
 
 std::string errors_text(const InverterErrors& errors, std::int64_t pixels) {
@@ -59,7 +58,7 @@ std::string errors_text(const InverterErrors& errors, std::int64_t pixels) {
                      errors.worst_px < 1e6 ? fmt::format("{:.3g} px", errors.worst_px) : "beyond all bounds");
 }
 
-/// Prints what there is to say of one camera; returns why it is refused, or nothing.
+/// Prints the report on one camera. Returns why its lens is refused; empty if it is one-to-one.
 std::string check_camera(const CalibratedCamera& calibrated) {
   const auto& [name, camera, lens] = calibrated;
   const FrameCertificate proof = certify_frame(lens, camera, one_to_one);
@@ -83,21 +82,32 @@ std::string check_camera(const CalibratedCamera& calibrated) {
   return proof.valid() ? "" : proof.why;
 }
 
+constexpr const char* manual =
+    R"(cps lens check: prove that a calibration is one-to-one
+
+Usage: cps lens check CALIBRATION [--camera NAME]
+
+Proves that the lens of a calibration maps its whole frame one-to-one, or says
+where it does not. Prints the true angles of view, how exactly the lens is
+inverted, and where common iterative inverses fail on it. `cps help lens` lists
+the file formats.
+
+Exit status: 0 every lens is one-to-one, 1 failed, or a lens is not one-to-one,
+2 wrong usage.
+)";
+
 }  // namespace
 
 int cps_lens_check(const Arguments& arguments) {
   std::string file, camera;
   po::options_description options("Options");
-  options.add_options()("file", po::value(&file)->required(), "the calibration")(
-      "camera", po::value(&camera), "the one to check, by name [all in the file]");
+  options.add_options()("file", po::value(&file)->required(),
+                        "the calibration; its name alone will do, without --file")(
+      "camera", po::value(&camera), "name of the camera to check [all cameras of the file]");
   po::positional_options_description positional;
   positional.add("file", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps lens check FILE [--camera NAME]\nProves that a calibration maps its frame "
-                     "one-to-one, or says where it does not. Exit 1 if not.\n",
-                     options, positional, values))
-    return 0;
+  if (!parse_options(arguments, manual, options, positional, values)) return 0;
   po::notify(values);
   std::vector<CalibratedCamera> cameras = read_calibration(file);
   if (!camera.empty()) cameras = {chosen_camera(cameras, camera, file)};

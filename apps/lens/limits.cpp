@@ -26,7 +26,7 @@ constexpr std::array<std::pair<Coefficient, const char*>, 5> coefficients{{{Coef
 
 using Limits = std::array<Interval, coefficients.size()>;
 
-/// Of each coefficient, the others 0.
+/// The interval of each coefficient in which the lens keeps the bounds while the other coefficients are 0.
 Limits lens_limits(const ImageSize& size, double hfov_deg, const LensBounds& bounds) {
   const Pinhole camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
   Limits limits;
@@ -63,7 +63,7 @@ void print_table(const std::vector<ImageSize>& sizes, const std::vector<double>&
     }
 }
 
-/// Limits run over decades between 30° and 150°, so the logarithms of their sizes are drawn.
+/// Limits span decades between 30° and 150°, so the plots show the logarithms of their absolute values.
 std::vector<Plot> limit_plots(const std::vector<ImageSize>& sizes, const LensBounds& bounds) {
   constexpr double first_deg = 30, last_deg = 150, step_deg = 2;
   std::vector<Plot> plots;
@@ -81,8 +81,8 @@ std::vector<Plot> limit_plots(const std::vector<ImageSize>& sizes, const LensBou
       }
     }
     for (std::size_t i = 0; i < coefficients.size(); ++i) {
-      low[i].name = value_text(size) + ", least";
-      high[i].name = value_text(size) + ", most";
+      low[i].name = value_text(size) + ", lowest";
+      high[i].name = value_text(size) + ", highest";
       plots[i].series.insert(plots[i].series.end(), {low[i], high[i]});
     }
   }
@@ -98,28 +98,35 @@ void check(const std::vector<ImageSize>& sizes, const std::vector<double>& hfovs
   if (hfovs_deg.empty()) throw po::error("--hfov: name at least one");
   for (double hfov_deg : hfovs_deg)
     if (!(hfov_deg >= 1 && hfov_deg <= 175)) throw po::error("--hfov: must lie between 1 and 175 degrees");
-  if (const std::string fault = bounds.fault(); !fault.empty()) throw po::error(fault);
+  refuse_flags_with(bounds.fault());
 }
+
+constexpr const char* manual =
+    R"(cps lens limits: how far each coefficient of a lens may go
+
+Usage: cps lens limits [--size WxH,...] [--hfov DEG,...] [--csv] [-o PLOT.svg]
+
+Prints, for each image size and H-FOV, the interval of each coefficient in which
+a lens keeps the bounds while the other coefficients are 0.
+)";
 
 }  // namespace
 
 int cps_lens_limits(const Arguments& arguments) {
   std::string size_list = "1392x512,1920x1080", hfov_list = "30,60,90,120,150", plot_file;
   po::options_description options("Options");
-  options.add_options()("size", po::value(&size_list)->default_value(size_list), "WIDTHxHEIGHT, by commas")(
-      "hfov", po::value(&hfov_list)->default_value(hfov_list), "degrees, by commas")(
-      "csv", "comma-separated, with every digit")("output,o", po::value(&plot_file),
-                                                  "a plot over 30 to 150 degrees, .svg");
+  auto add = options.add_options();
+  add("size", po::value(&size_list)->default_value(size_list),
+      "image sizes, WIDTHxHEIGHT in pixels, separated by commas");
+  add("hfov", po::value(&hfov_list)->default_value(hfov_list),
+      "horizontal fields of view, degrees, separated by commas; 1 to 175");
+  add("csv", "print comma-separated values with every digit instead of a table");
+  add("out,o", po::value(&plot_file), "also write a plot of the limits from 30 to 150 degrees, an .svg file");
   LensBounds bounds;
   const auto for_each_key = [&](auto visit) { for_each_bound_key(bounds, visit); };
-  options.add(key_options("Bounds that a lens keeps", for_each_key));
+  options.add(key_options("Bounds of a lens", for_each_key));
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          "cps lens limits [--size WxH,...] [--hfov DEG,...] [--csv] [-o PLOT.svg]\nThe interval of "
-          "each coefficient, the others 0, in which a lens keeps the bounds.\n",
-          options, {}, values))
-    return 0;
+  if (!parse_options(arguments, manual, options, {}, values)) return 0;
   po::notify(values);
   read_key_flags(values, for_each_key);
   const auto sizes = flag_value<std::vector<ImageSize>>("size", size_list);

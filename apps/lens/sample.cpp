@@ -16,7 +16,7 @@ namespace po = boost::program_options;
 namespace cps {
 namespace {
 
-/// One line of the table: every number under its name.
+/// One row of the table: numbers by column name.
 nlohmann::ordered_json row_of(int number, const DrawnLens& lens) {
   const Pinhole& camera = lens.crop.camera;
   return {{"number", number},
@@ -47,7 +47,7 @@ void print_csv(const nlohmann::ordered_json& rows) {
   }
 }
 
-/// Where the draws lie: neighbouring coefficients, the principal point, and what the crop leaves.
+/// Scatter plots of the drawn lenses: pairs of coefficients, the principal point, and what the crop leaves.
 std::vector<Plot> sample_plots(const nlohmann::ordered_json& rows) {
   const auto scatter = [&](const char* x, const char* y) {
     PlotSeries dots{.style = PlotStyle::dots};
@@ -58,6 +58,16 @@ std::vector<Plot> sample_plots(const nlohmann::ordered_json& rows) {
           scatter("cx", "cy"), scatter("k1", "fov"), scatter("zoom", "min_eigenvalue")};
 }
 
+constexpr const char* manual =
+    R"(cps lens sample: draw lenses as cps generate does
+
+Usage: cps lens sample N --size WxH --hfov DEG [--label-first] [--seed S]
+                       [--lens_draw SCHEME] [--json] [-o PLOT.svg]
+
+Prints N drawn lenses with the principal point and the H-FOV that are left after
+the border-free crop.
+)";
+
 }  // namespace
 
 int cps_lens_sample(const Arguments& arguments) {
@@ -66,32 +76,33 @@ int cps_lens_sample(const Arguments& arguments) {
   double hfov_deg = 0;
   std::string size_text, plot_file;
   po::options_description options("Options");
-  options.add_options()("count", po::value(&count)->required(), "how many lenses")(
-      "size", po::value(&size_text)->required(), "WIDTHxHEIGHT of the images")(
-      "hfov", po::value(&hfov_deg)->required(), "H-FOV of the base, before the crop, degrees")(
-      "label-first", "--hfov is the image's, after the crop; each lens gets the base that leads there")(
-      "seed", po::value(&seed)->default_value(seed), "the same seed draws the same lenses")(
-      "json", "instead of comma-separated values")("output,o", po::value(&plot_file), "a plot, .svg");
+  auto add = options.add_options();
+  add("count", po::value(&count)->required(),
+      "number of lenses, 1 to 1000000; the number alone will do, without --count");
+  add("size", po::value(&size_text)->required(),
+      "size of the images, WIDTHxHEIGHT in pixels, 32 to 8192 a side");
+  add("hfov", po::value(&hfov_deg)->required(),
+      "horizontal field of view of the base, before the crop, degrees, 5 to 165");
+  add("label-first",
+      "make --hfov the field of view of the images, after the crop; each lens gets the base that leads there");
+  add("seed", po::value(&seed)->default_value(seed), "seed of the lenses, a whole number from 0");
+  add("json", "print JSON instead of comma-separated values");
+  add("out,o", po::value(&plot_file), "also write scatter plots of the lenses, an .svg file");
   LensOptions lenses;
   const auto for_each_key = [&](auto visit) { for_each_lens_key(lenses, visit); };
-  options.add(key_options("How they are drawn", for_each_key));
+  options.add(key_options("How lenses are drawn", for_each_key));
   po::positional_options_description positional;
   positional.add("count", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     "cps lens sample N --size WxH --hfov DEG [--label-first] [--lens_draw SCHEME] [--seed "
-                     "S]\nLenses as cps "
-                     "generate draws them, with what is left after the crop.\n",
-                     options, positional, values))
-    return 0;
+  if (!parse_options(arguments, manual, options, positional, values)) return 0;
   po::notify(values);
   read_key_flags(values, for_each_key);
   const auto size = flag_value<ImageSize>("size", size_text);
-  if (count < 1 || count > 1'000'000) throw po::error("N: must lie between 1 and 1000000");
+  if (count < 1 || count > 1'000'000) throw po::error("--count: must lie between 1 and 1000000");
   if (!(size.width >= 32 && size.height >= 32 && size.width <= 8192 && size.height <= 8192))
     throw po::error("--size: must lie between 32x32 and 8192x8192 pixels");
   if (!(hfov_deg >= 5 && hfov_deg <= 165)) throw po::error("--hfov: must lie between 5 and 165 degrees");
-  if (std::string why; !lenses.is_valid(&why)) throw po::error(why);
+  refuse_flags_with(lenses.fault());
 
   const Pinhole camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg));
   const CropOrder order = values.count("label-first") ? CropOrder::label_first : CropOrder::base_first;

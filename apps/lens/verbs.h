@@ -2,7 +2,7 @@
 
 #include "apps/verbs.h"
 
-/// What `cps lens` can do, one file each; as in apps/verbs.h.
+/// The verbs of `cps lens`, one file each; contract as in apps/verbs.h.
 namespace cps {
 
 int cps_lens_limits(const Arguments& arguments);

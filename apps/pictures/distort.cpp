@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <iostream>
 #include <stdexcept>
 
 #include "apps/options.h"
 #include "apps/pictures/resampling.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/label_algebra.h"
@@ -22,16 +21,16 @@ namespace cps {
 namespace {
 
 struct DistortRequest : ResamplingRequest {
-  double hfov_deg = 0;      ///< of the pictures; 0: given by `source_file`
-  std::string source_file;  ///< their calibration, without distortion
-  std::string scheme;       ///< the lens is drawn by it; empty: it is read from `lens_file`
+  double hfov_deg = 0;      ///< H-FOV of the pictures; 0: read from `source_file`
+  std::string source_file;  ///< calibration of the pictures, without distortion
+  std::string scheme;       ///< how to draw the lens; empty: it is read from `lens_file`
   std::uint64_t seed = 0;
   int number = 1;
   LensOptions lenses;
   bool require_resolution = false;
 };
 
-/// The keys that bound drawn lenses and the crop; the scheme has a flag of its own here.
+/// The keys for the crop and for drawn lenses, except lens_draw, which is an option without a default here.
 template <typename Visitor>
 void for_each_draw_key(LensOptions& lenses, Visitor visit) {
   for_each_lens_key(lenses, [&](const char* key, auto& member, const char* help) {
@@ -42,35 +41,36 @@ void for_each_draw_key(LensOptions& lenses, Visitor visit) {
 po::options_description describe_all(DistortRequest& request) {
   po::options_description options = describe(request);
   auto add = options.add_options();
-  add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees");
-  add("source", po::value(&request.source_file), "or the input's calibration, without distortion");
-  add("draw", po::value(&request.scheme),
-      "draw the lens: sequential, shape_prior, real_lenses; instead of --lens");
-  add("seed", po::value(&request.seed)->default_value(request.seed), "of the draw");
+  add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees, 1 to 175");
+  add("source", po::value(&request.source_file),
+      "instead of --hfov: file with the calibration of the input, whose distortion must be 0");
+  add("lens_draw", po::value(&request.scheme),
+      "instead of --lens: draw the lens, by sequential, shape_prior or real_lenses");
+  add("seed", po::value(&request.seed)->default_value(request.seed), "seed of a drawn lens");
   add("number", po::value(&request.number)->default_value(request.number),
-      "which of the lenses that cps lens sample lists");
+      "number of a drawn lens in the list that cps lens sample prints for the seed, from 1");
   add("require-resolution", po::bool_switch(&request.require_resolution),
-      "fail where the input is too coarse for the kernel, instead of widening it there");
-  options.add(key_options("The crop, and lenses that are drawn",
-                          [&](auto visit) { for_each_draw_key(request.lenses, visit); }));
+      "fail if the input is too coarse for the filter, instead of widening the filter where it is");
+  options.add(
+      key_options("Crop and drawn lenses", [&](auto visit) { for_each_draw_key(request.lenses, visit); }));
   return options;
 }
 
 void check_all(DistortRequest& request, const po::variables_map& values) {
   check(request);
   if (request.lens_file.empty() == request.scheme.empty())
-    throw po::error("name the lens: either --lens FILE or --draw SCHEME");
+    throw po::error("name the lens: either --lens FILE or --lens_draw SCHEME");
   if ((values.count("hfov") > 0) == !request.source_file.empty())
     throw po::error("say what the input is: either --hfov DEG or --source FILE");
   if (values.count("hfov") && !(request.hfov_deg >= 1 && request.hfov_deg <= 175))
     throw po::error("--hfov: must lie between 1 and 175 degrees");
   if (request.number < 1) throw po::error("--number: must be at least 1");
   read_key_flags(values, [&](auto visit) { for_each_draw_key(request.lenses, visit); });
-  if (!request.scheme.empty()) request.lenses.scheme = flag_value<LensScheme>("draw", request.scheme);
-  if (std::string why; !request.lenses.is_valid(&why)) throw po::error(why);
+  if (!request.scheme.empty()) request.lenses.scheme = flag_value<LensScheme>("lens_draw", request.scheme);
+  refuse_flags_with(request.lenses.fault());
 }
 
-/// What took the input.
+/// The camera that took the input.
 Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJob>& jobs) {
   if (request.source_file.empty()) {
     const Eigen::Vector2i size = first_size(jobs);
@@ -84,7 +84,7 @@ Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJo
   return source.pinhole;
 }
 
-/// The camera that the output is to look as if taken by, but for the zoom.
+/// The camera that the output shall look as if taken by, before any zoom.
 CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& source) {
   const ImageSize size = request.size.empty() ? ImageSize{source.width, source.height}
                                               : flag_value<ImageSize>("size", request.size);
@@ -99,19 +99,39 @@ CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& sou
   return {"drawn", lens.crop.camera, lens.distortion};
 }
 
-/// Where the lens enlarges most an output pixel has `least_source_px` source pixels per axis. Says on stderr,
-/// or throws std::runtime_error if that is asked for, when they are fewer than its kernel needs.
-void report_resolution(const DistortRequest& request, double least_source_px) {
+/// Warns on stderr, or throws std::runtime_error with --require-resolution, if the input is too coarse for
+/// the filter: `min_source_px` is the number of source pixels per axis of an output pixel where the lens
+/// enlarges most.
+void report_resolution(const DistortRequest& request, double min_source_px) {
   const double needed = 1 / largest_magnification({.oversampling = 1, .kernel_sigma_px = request.sigma_px});
-  if (resampling_of(request) != Resampling::footprint || least_source_px >= needed) return;
+  if (resampling_of(request) != Resampling::footprint || min_source_px >= needed) return;
   const std::string line = fmt::format(
-      "{}: where the lens enlarges most an output pixel has {:.3g} source pixels per axis, its kernel needs "
-      "{:.3g}: use a finer "
-      "source, or --sigma {:.2g}",
-      request.input, least_source_px, needed, request.sigma_px * needed / least_source_px + 0.005);
+      "{}: where the lens enlarges most, an output pixel has {:.3g} source pixels per axis, but its filter "
+      "needs {:.3g}: use a finer source, or --sigma {:.2g}",
+      request.input, min_source_px, needed, request.sigma_px * needed / min_source_px + 0.005);
   if (request.require_resolution) throw std::runtime_error(line);
-  std::cerr << line << "; widened there\n";
+  std::cerr << line << "; the filter is widened there\n";
 }
+
+constexpr const char* manual =
+    R"(cps distort: show ideal pictures through a lens
+
+Usage: cps distort INPUT -o OUTPUT (--lens CALIBRATION | --lens_draw SCHEME)
+                   (--hfov DEG | --source CALIBRATION) [--KEY VALUE ...]
+
+Takes pictures without distortion, such as a simulator's, to pictures as the
+lens would have taken them, and writes their label.
+
+The output is what the camera of the calibration would have taken. Where that
+camera sees more than the input shows, the output is zoomed in until it has no
+black border; --max_zoom 1 forbids that. A drawn lens is cropped as by cps
+generate. All pictures of a folder, with their ids and depth, get the same size,
+lens and label. A source with twice the output's resolution keeps the sharpness
+equal all over the picture.
+
+Pixel type, channels and file format stay as they are. If pictures of a folder
+fail, they are named, the others are written, and the exit status is 1.
+)";
 
 }  // namespace
 
@@ -120,25 +140,10 @@ int cps_distort(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          R"(cps distort INPUT -o OUTPUT (--lens CALIBRATION | --draw SCHEME) (--hfov DEG | --source CALIBRATION)
-Shows ideal pictures, a simulator's for instance, as a lens would, and writes their label.
-
-The output is what the calibration's camera would have taken; or, where that sees more than the input shows,
-the same zoomed in until there is no black border (--max_zoom 1 forbids that). A drawn lens is cropped like
-those of cps generate. Size, resampling and label are the same for all pictures of a folder and for their ids
-and depth. A source of twice the output's resolution keeps sharpness the same all over the picture.
-
-Pixel type, channels and file format stay as they are. In a folder, pictures that fail are named, the others
-are made all the same, and the exit status is 1.
-)",
-          describe_all(request), positional, values))
-    return 0;
+  if (!parse_options(arguments, manual, describe_all(request), positional, values)) return 0;
   po::notify(values);
   check_all(request, values);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
   const Pinhole source = source_camera(request, jobs);

@@ -31,14 +31,14 @@ std::unique_ptr<OIIO::ImageInput> open(const fs::path& file) {
   return input;
 }
 
-/// libjpeg fills what is missing of a truncated file with gray and goes on.
+/// Whether the file ends before its image does. libjpeg fills the missing part with gray without an error.
 bool is_truncated_jpeg(const std::string& bytes) {
   const auto last = [&](const char* marker) { return bytes.rfind(marker); };
   return last("\xff\xd9") == std::string::npos ||
          (last("\xff\xda") != std::string::npos && last("\xff\xd9") < last("\xff\xda"));
 }
 
-/// Channels other than alpha.
+/// Applies `change(value, alpha)` to all channels other than alpha.
 template <typename Change>
 void change_colours(OIIO::ImageBuf& image, int alpha, Change change) {
   const OIIO::ImageSpec& spec = image.spec();
@@ -50,7 +50,7 @@ void change_colours(OIIO::ImageBuf& image, int alpha, Change change) {
   });
 }
 
-/// Whether the file's colours have yet to be multiplied by its alpha. Where numbers are data, so is alpha.
+/// Whether the file's colours are not yet multiplied by its alpha. In a file of data, alpha is data too.
 bool is_unassociated(const OIIO::ImageSpec& file, bool is_srgb) {
   return is_srgb && file.alpha_channel >= 0 && file.get_int_attribute("oiio:UnassociatedAlpha") != 0;
 }

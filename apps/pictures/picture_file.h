@@ -7,26 +7,27 @@
 
 #include "distortion/warp/warp.h"
 
-/// Pictures of any program and camera, read so that they may be filtered, and written as they were.
+/// Reading pictures of any program and camera for filtering, and writing them back in the same form.
 namespace cps {
 
-/// What the numbers of a file stand for.
+/// What the pixel values of a file are.
 enum class Encoding {
   automatic,  ///< integers: sRGB, unless the file says that it is linear; half and float: linear light
   srgb,
   linear,  ///< linear light, or data: normals, masks, ids, depth
 };
-/// Throws std::runtime_error naming the words there are.
+/// `auto`, `srgb`, `linear`. Throws std::runtime_error, naming these, on any other word.
 Encoding encoding_from_string(const std::string& word);
 
 struct Picture {
-  /// 1–4 channels. For ids and depth as in the file; else float, linear, colours multiplied by alpha.
+  /// 1 to 4 channels. For resampling by footprint: float, linear, colours multiplied by alpha; else as in the
+  /// file.
   OIIO::ImageBuf pixels;
   OIIO::ImageSpec file;  ///< pixel type, channels and metadata of the file
   bool is_srgb = false;
 };
 
-/// Size of a picture in pixels, from its header. Throws like read_picture.
+/// The header of a picture: its size, channels and pixel type. Throws as read_picture() does.
 OIIO::ImageSpec read_picture_header(const std::filesystem::path& file);
 
 /// Throws std::runtime_error, one line naming the file: not a picture, damaged, several pictures in one file,

@@ -62,7 +62,7 @@ int for_each_picture(const std::vector<PictureJob>& jobs,
   std::vector<std::string> failures(jobs.size());
   tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
     try {
-      // Isolated: while a picture waits for its own tiles, its thread does not begin another picture.
+      // Isolated, so that a thread that waits for the tiles of its picture does not begin another picture.
       tbb::this_task_arena::isolate([&] { work(jobs[i]); });
     } catch (const std::exception& error) {
       failures[i] = error.what();

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-/// One picture, or a folder of them, into another.
+/// Work on one picture or on a folder of pictures.
 namespace cps {
 
 struct PictureJob {
@@ -12,13 +12,13 @@ struct PictureJob {
 };
 
 /// The picture `input`, written to `output`; or, if `input` is a folder, every picture in it and below it, in
-/// the order of their names, to the same names under `output`. What is a picture is told by its extension.
+/// the order of their names, to the same names under `output`. Pictures are recognised by their extension.
 /// Throws std::runtime_error in one line: nothing there, no pictures, output inside the input.
 std::vector<PictureJob> picture_jobs(const std::filesystem::path& input, const std::filesystem::path& output);
 
-/// Does the work on all of them, several at a time, with a line of progress when there are several. One that
-/// fails (std::exception) is named on stderr, in the order of the names, and the others go on. Returns how
-/// many failed.
+/// Works on all pictures, several at a time, and shows a progress line if there are several. Prints the
+/// message of each one that throws a std::exception on stderr, in the order of the names, and goes on with
+/// the others. Returns the number of failures.
 int for_each_picture(const std::vector<PictureJob>& jobs, const std::function<void(const PictureJob&)>& work);
 
 }  // namespace cps

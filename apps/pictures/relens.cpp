@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <stdexcept>
 
 #include "apps/options.h"
 #include "apps/pictures/picture_file.h"
 #include "apps/progress.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/exchange/camera_pictures.h"
@@ -24,7 +23,6 @@ namespace {
 struct RelensRequest {
   std::string kitti, pictures, lens, camera, output, scheme = "shape_prior", size;
   RelensOptions options;
-  int threads = 0;
 };
 
 po::options_description describe(RelensRequest& r) {
@@ -41,7 +39,7 @@ po::options_description describe(RelensRequest& r) {
   add("narrowest", po::value(&r.options.narrowest)->default_value(r.options.narrowest),
       "the crops' H-FOV before their lens, at least, as a share of the widest that fits");
   add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of the lenses");
-  add("threads", po::value(&r.threads)->default_value(r.threads), "0: all");
+  add_threads_option(options);
   return options;
 }
 
@@ -102,8 +100,7 @@ A lens and crop for which the pictures are too coarse, or do not reach far enoug
   if (!request.size.empty()) request.options.size = flag_value<ImageSize>("size", request.size);
   if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   if (fs::exists(request.output)) throw std::runtime_error(request.output + ": exists; name a new folder");
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const std::vector<CameraPictures> cameras = sources(request);
   std::int64_t images = 0;

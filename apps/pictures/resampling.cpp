@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "apps/threads.h"
+
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
@@ -9,22 +11,26 @@ namespace cps {
 po::options_description describe(ResamplingRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("input", po::value(&request.input)->required(), "a picture, or a folder of them (and below it)");
-  add("output,o", po::value(&request.output)->required(), "a picture, or a folder");
-  add("lens", po::value(&request.lens_file), "the calibration, in any format that cps lens check reads");
-  add("camera", po::value(&request.lens_camera), "which of its cameras, by name");
-  add("size", po::value(&request.size), "WIDTHxHEIGHT of the output");
+  add("input", po::value(&request.input)->required(),
+      "a picture, or a folder: all pictures in it and below it; its name alone will do, without --input");
+  add("out,o", po::value(&request.output)->required(), "the picture to write, or the folder for all of them");
+  add("lens", po::value(&request.lens_file),
+      "file with the calibration of the lens, in any format that cps lens check reads");
+  add("lens-camera", po::value(&request.lens_camera),
+      "name of the camera in the --lens file, if it holds several");
+  add("size", po::value(&request.size), "size of the output, WIDTHxHEIGHT in pixels [the calibration's]");
   add("resampling", po::value(&request.resampling)->default_value(request.resampling),
-      "footprint; nearest for ids; depth for z along the axis");
+      "footprint, a filter over each output pixel's footprint; nearest, for label ids; depth, for distances "
+      "along the optical axis");
   add("encoding", po::value(&request.encoding)->default_value(request.encoding),
-      "of the numbers: srgb is made linear light for the filter and encoded again; linear for data; auto: "
-      "srgb for integers, linear for half and float");
+      "what the pixel values are: srgb, which is decoded before filtering and encoded after it; linear, for "
+      "light and data; auto, srgb for integers and linear for half and float");
   add("sigma", po::value(&request.sigma_px)->default_value(request.sigma_px),
-      "standard deviation of the kernel, output pixels");
+      "standard deviation of the filter, output pixels, 0.3 to 4");
   add("label-format", po::value(&request.label_format)->default_value(request.label_format),
-      "cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
-  add("label", po::value(&request.label_file), "the label's file [beside the pictures]");
-  add("threads", po::value(&request.threads)->default_value(request.threads), "0: all");
+      "format of the label: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
+  add("label", po::value(&request.label_file), "file to write the label to [beside the pictures]");
+  add_threads_option(options);
   return options;
 }
 
@@ -42,7 +48,6 @@ void check(const ResamplingRequest& request) {
   }
   if (!(request.sigma_px >= 0.3 && request.sigma_px <= 4))
     throw po::error("--sigma: must lie between 0.3 and 4 pixels");
-  if (request.threads < 0) throw po::error("--threads: must be 0 or more");
 }
 
 Resampling resampling_of(const ResamplingRequest& request) {

@@ -8,7 +8,7 @@
 #include "dataset/exchange/calibration_file.h"
 #include "distortion/warp/warp.h"
 
-/// What `cps distort` and `cps undistort` have in common.
+/// Options and files that `cps distort` and `cps undistort` share.
 namespace cps {
 
 struct ResamplingRequest {
@@ -18,13 +18,13 @@ struct ResamplingRequest {
   std::string resampling = "footprint", encoding = "auto";
   std::string label_format = "cps", label_file;
   double sigma_px = 0.5;
-  int threads = 0;  ///< 0: all
 };
 
-/// The flags of all members, with their help.
+/// The options of all members, with their help texts.
 boost::program_options::options_description describe(ResamplingRequest& request);
 
-/// Throws boost::program_options::error for what the flags' own types do not rule out.
+/// Throws boost::program_options::error, one line naming the option, for values that their type allows but
+/// that make no sense.
 void check(const ResamplingRequest& request);
 
 Resampling resampling_of(const ResamplingRequest& request);
@@ -32,8 +32,8 @@ Resampling resampling_of(const ResamplingRequest& request);
 /// The size of the first picture whose header can be read. Throws std::runtime_error if there is none.
 Eigen::Vector2i first_size(const std::vector<PictureJob>& jobs);
 
-/// Where the label goes: beside the pictures of a folder under the name that its format goes by, or beside
-/// the one picture under its name.
+/// The file for the label: --label, else in the output folder with the usual name of its format, or, for one
+/// picture, beside it as PICTURE_NAME.
 std::filesystem::path label_path(const ResamplingRequest& request, const std::vector<PictureJob>& jobs);
 
 }  // namespace cps

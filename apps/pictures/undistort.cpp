@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <stdexcept>
 
 #include "apps/options.h"
 #include "apps/pictures/resampling.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/label_algebra.h"
@@ -19,7 +18,7 @@ namespace {
 
 struct UndistortRequest : ResamplingRequest {
   std::string keep = "valid";
-  double hfov_deg = 0;  ///< 0: from `keep`
+  double hfov_deg = 0;  ///< H-FOV of the output; 0: as `keep` says
   bool rescale = false;
 };
 
@@ -27,11 +26,12 @@ po::options_description describe_all(UndistortRequest& request) {
   po::options_description options = describe(request);
   auto add = options.add_options();
   add("keep", po::value(&request.keep)->default_value(request.keep),
-      "valid: the widest view without black; all: everything the input shows, with black; camera: the "
-      "calibration's own matrix, as OpenCV's undistort");
-  add("hfov", po::value(&request.hfov_deg), "instead of --keep: the output's, degrees, with black beyond");
+      "what the output shows: valid, the widest view without black; all, everything the input shows, with "
+      "black around it; camera, the view of the calibration's own matrix, as OpenCV's undistort");
+  add("hfov", po::value(&request.hfov_deg),
+      "instead of --keep: horizontal field of view of the output, degrees, 1 to 175");
   add("rescale", po::bool_switch(&request.rescale),
-      "the pictures are the calibrated ones at another size: scale the calibration");
+      "accept pictures of another size than the calibration's, and scale the calibration to them");
   return options;
 }
 
@@ -69,6 +69,22 @@ Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& s
   return fit.camera;
 }
 
+constexpr const char* manual =
+    R"(cps undistort: straighten pictures taken through a lens
+
+Usage: cps undistort INPUT -o OUTPUT --lens CALIBRATION
+                     [--keep valid|all|camera | --hfov DEG]
+
+Removes the distortion of pictures and writes the label of the pinhole camera
+that they then have: straight lines of the world become straight.
+
+The output has square pixels and a centred principal point, except with --keep
+camera. What the input does not show is black (0).
+
+Pixel type, channels and file format stay as they are. If pictures of a folder
+fail, they are named, the others are written, and the exit status is 1.
+)";
+
 }  // namespace
 
 int cps_undistort(const Arguments& arguments) {
@@ -76,29 +92,17 @@ int cps_undistort(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          R"(cps undistort INPUT -o OUTPUT --lens CALIBRATION [--keep valid|all|camera | --hfov DEG]
-Straightens pictures taken through a lens, and writes the label of the pinhole camera that they then have.
-
-Straight lines of the world become straight. Unless --keep camera, the output has square pixels and a centred
-principal point. What the input does not show is black (0).
-
-Pixel type, channels and file format stay as they are. In a folder, pictures that fail are named, the others
-are made all the same, and the exit status is 1.
-)",
-          describe_all(request), positional, values))
-    return 0;
+  if (!parse_options(arguments, manual, describe_all(request), positional, values)) return 0;
   po::notify(values);
   check_all(request, values);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
   const CalibratedCamera source = source_camera(request, jobs);
   const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
   if (!proof.certificate.valid) throw std::runtime_error(request.lens_file + ": " + proof.why);
-  if (!proof.valid()) fmt::print(stderr, "{}: {}; the rest is left out\n", request.lens_file, proof.why);
+  if (!proof.valid())
+    fmt::print(stderr, "{}: {}; the part beyond is left black\n", request.lens_file, proof.why);
   const CalibratedCamera output{source.name, output_camera(request, source), {}};
 
   const WarpOptions options{.oversampling = 1,

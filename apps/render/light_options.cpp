@@ -64,7 +64,7 @@ Daylight daylight_of(const LightRequest& request) {
   if (request.sky) set_sky(*request.sky, daylight);
   if (request.sun_irradiance)
     daylight.sun_irradiance_klx = parse_color("sun-irradiance", *request.sun_irradiance);
-  if (std::string why; !daylight.is_valid(&why)) throw po::error(why);
+  if (const std::string fault = daylight.fault(); !fault.empty()) throw po::error(fault);
   return daylight;
 }
 

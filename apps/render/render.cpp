@@ -1,20 +1,19 @@
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <iostream>
 
 #include "apps/options.h"
+#include "apps/progress.h"
 #include "apps/render/error_curve.h"
 #include "apps/render/lens.h"
 #include "apps/render/output_file.h"
 #include "apps/render/replay.h"
 #include "apps/render/view.h"
+#include "apps/threads.h"
 #include "apps/verbs.h"
 #include "numbers/angles.h"
-#include "apps/progress.h"
 #include "renderer/aov.h"
 #include "renderer/memory_estimate.h"
 #include "scenes/diffuse_materials.h"
@@ -123,8 +122,7 @@ Renders one view of a glTF scene by path tracing, through a lens if one is given
   po::notify(values);
   finish(request);
   const WantedLayers wanted = wanted_layers(request);
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    request.threads > 0 ? request.threads : tbb::info::default_concurrency());
+  const ThreadLimit threads(values);
 
   const LoadedScene scene = load(request);
   const LensView view = lens_view(request, scene.ideal);

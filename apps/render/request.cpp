@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "apps/threads.h"
+
 namespace po = boost::program_options;
 
 namespace cps {
@@ -44,7 +46,6 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
   add("materials", with_default(request.materials),
       "all, or diffuse: base colours only, to compare with other renderers");
   add("seed", with_default(render.seed), "seed of the random choice of paths");
-  add("threads", with_default(request.threads), "number of threads; 0: all cores");
   add("memory", with_default(request.memory_gib),
       "GiB; a scene that needs more is refused before it is built; 0: no limit");
 }
@@ -100,6 +101,7 @@ po::options_description describe(RenderRequest& request) {
   describe_camera(request, add);
   describe_light(request.light, add);
   describe_sampling(request, add);
+  add_threads_option(options);
   return options;
 }
 
@@ -109,7 +111,6 @@ void finish(RenderRequest& request) {
   request.light.daylight = daylight_of(request.light);
   if (request.hfov_deg && !(*request.hfov_deg > 0 && *request.hfov_deg < 180))
     throw po::error("--hfov: must lie between 0 and 180 degrees");
-  if (request.threads < 0) throw po::error("--threads: must be 0 or more");
   if (!(request.memory_gib >= 0)) throw po::error("--memory: must be 0 or more");
   if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64))
     throw po::error("--exposure: must lie in [-64, 64]");

@@ -22,7 +22,6 @@ struct RenderRequest {
   std::optional<double> exposure_ev;
   std::string filter = "box", materials = "all";
   double memory_gib = 0;  ///< 0: no limit
-  int threads = 0;        ///< 0: all cores
   RenderOptions render;
   LightRequest light;
 };

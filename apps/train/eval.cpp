@@ -43,7 +43,7 @@ po::options_description describe(Request& r) {
       "leave out images that cannot be read, and name them, instead of stopping");
   add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
-  add("out", po::value(&r.out),
+  add("out,o", po::value(&r.out),
       "JSON file with all results; an HTML page is written beside it [MODEL/eval.json, eval_kitti.json or eval_pictures.json]");
   return options;
 }

@@ -93,7 +93,7 @@ int train_verb(const Arguments& arguments) {
 
   po::options_description files("Files");
   files.add_options()("data", po::value<std::string>(&data)->required(), "dataset folder")(
-      "out", po::value<std::string>(&out)->required(), "model folder, created if missing")(
+      "out,o", po::value<std::string>(&out)->required(), "model folder, created if missing")(
       "preset", po::value<std::string>(), (presets + "flags below override it").c_str())(
       "device", po::value<std::string>(&device)->default_value("cpu"), "where to compute: cpu or cuda")(
       "resume", po::bool_switch(), "continue the training of the model in --out, with its own options");

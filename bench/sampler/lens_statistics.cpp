@@ -12,7 +12,8 @@
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/lenses/sequential_draw.h"
 
-/// The tables and pictures of docs/benchmarks/lens-draws.md and docs/lenses.md: lens_statistics docs/pictures
+/// Prints the tables and draws the pictures of docs/benchmarks/lens-draws.md and docs/lenses.md. Usage:
+/// lens_statistics docs/pictures
 namespace {
 
 using namespace cps;
@@ -37,12 +38,12 @@ double correlation(const Values& x, const Values& y) {
   return covariance / (standard_deviation(x) * standard_deviation(y));
 }
 
-/// What was drawn, coefficients in units of the base's half diagonal.
+/// Drawn lenses, one value per lens; coefficients in units of the base's half diagonal.
 struct Sample {
   Values k1, k2, k3, corner, label_hfov_deg, base_hfov_deg, zoom;
 };
 
-/// One H-FOV, or each of `hfovs_deg` in turn where it is 0.
+/// Draws lenses at one H-FOV, or, if it is 0, at each of `hfovs_deg` in turn.
 Sample draw(LensScheme scheme, CropOrder order, double one_hfov_deg) {
   const LensOptions options{
       .scheme = scheme, .sequential_share = 0, .coefficients = {}, .bounds = {}, .principal_point = {}};
@@ -69,7 +70,7 @@ PlotSeries dots(const std::string& name, const Values& x, const Values& y, std::
   return series;
 }
 
-/// Where the schemes' lenses lie: K1 against K2 for each, then the corner's displacement and the zoom.
+/// Plots of the lenses of each scheme: K1 against K2, displacement of the corner, zoom.
 std::string schemes_picture() {
   std::vector<Plot> plots;
   Plot corner{.title = "Displacement of the corner",
@@ -100,12 +101,12 @@ std::string schemes_picture() {
   return to_svg(plots, 3);
 }
 
-/// Spread of each coefficient by its position in the sequential order; prints the table, returns the picture.
+/// Prints the spread of each coefficient by its position in the sequential order. Returns the plots.
 std::string order_effects() {
   const Pinhole camera = pinhole_from_hfov(480, 270, radians(90));
   Pinhole unit = camera;
   unit.fx = unit.fy = camera.fx * 0.5 * frame_on_plane(camera).diagonal().norm();
-  Values values[5][5];  // of a coefficient at a position
+  Values values[5][5];  // by coefficient and position
   for (int i = 0; i < 4 * lens_count; ++i) {
     const SequentialDraw drawn =
         draw_sequential(frame_on_plane(unit), {}, {}, substream(make_stream(2, "statistics"), i));
@@ -140,7 +141,7 @@ std::string order_effects() {
   return to_svg(plots, 2);
 }
 
-/// What the crop ties to what; prints the table, returns the picture.
+/// Prints the correlations that the crop causes. Returns the plots.
 std::string label_correlations() {
   std::vector<Plot> plots;
   std::cout << "\n| scheme | crop | label H-FOV–K1 | within one set | K1–K2 | K1–K3 | K2–K3 |\n"
@@ -165,7 +166,7 @@ std::string label_correlations() {
   return to_svg(plots, 2);
 }
 
-/// Bases that a label needs.
+/// Plots of the bases that the labels need.
 void print_bases() {
   std::cout << "\n| label H-FOV | median base | largest of " << lens_count << " |\n|---|---|---|\n";
   for (double hfov_deg : {30.0, 60.0, 90.0, 120.0, 150.0}) {

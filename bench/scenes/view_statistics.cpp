@@ -16,9 +16,9 @@
 #include "scenes/gltf_import.h"
 #include "sensor/develop.h"
 
-/// Makes the tables and pictures of docs/benchmarks/cities.md: statistics of what a camera like KITTI's sees in each
-/// style, next to those of real frames. `view_statistics FOLDER VIEWS [FRAME.png …]` makes the cities, a
-/// sheet of 48 views of each style and the diagrams in FOLDER.
+/// Makes the tables and pictures of docs/benchmarks/cities.md: statistics of what a camera like KITTI's sees
+/// in each style, next to those of real frames. `view_statistics FOLDER VIEWS [FRAME.png …]` makes the
+/// cities, a sheet of 48 views of each style and the diagrams in FOLDER.
 namespace {
 
 using namespace cps;

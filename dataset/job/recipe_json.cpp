@@ -29,7 +29,8 @@ Recipe read_recipe(const std::filesystem::path& dataset) {
       throw std::runtime_error(file + ": recipe: " + key + ": " + error.what());
     }
   });
-  if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error(file + ": recipe: " + why);
+  if (const std::string fault = recipe.fault(); !fault.empty())
+    throw std::runtime_error(file + ": recipe: " + fault);
   return recipe;
 }
 

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
 #include "production/scene_files.h"
 #include "production/view_images.h"
-#include "numbers/cpu_time.h"
 #include "sampler/plan/plan.h"
 
 namespace fs = std::filesystem;

@@ -36,8 +36,7 @@ RenderScene::RenderScene(const Scene& scene, SkyAndSun light)
       sun(light.sun) {}
 
 std::shared_ptr<RenderScene> build_render_scene(const Scene& scene, const Daylight& daylight) {
-  std::string why;
-  if (!daylight.is_valid(&why)) throw std::runtime_error(why);
+  if (const std::string fault = daylight.fault(); !fault.empty()) throw std::runtime_error(fault);
   return std::make_shared<RenderScene>(scene, make_sky_and_sun(daylight));
 }
 

@@ -27,8 +27,8 @@ Interval rescaled(const Interval& limits, Coefficient which, double unit) {
   return {coefficient(rescaled(low, unit), which), coefficient(rescaled(high, unit), which)};
 }
 
-/// The coefficients in units of the half diagonal, on the frame that has 1 of them; false if the draw is to
-/// be rejected.
+/// Draws the coefficients in units of the half diagonal: `frame` has a half diagonal of 1. False if the lens
+/// must be rejected.
 bool draw_coefficients(LensScheme scheme, const Pinhole& camera, const Eigen::AlignedBox2d& frame,
                        const LensOptions& options, Stream stream, DrawnLens& lens) {
   const LensBounds& bounds = options.bounds;
@@ -55,7 +55,7 @@ bool draw_coefficients(LensScheme scheme, const Pinhole& camera, const Eigen::Al
   return is_within(bounds, lens.distortion, frame);
 }
 
-/// Draws cx and cy and their limits. Nothing of it depends on the H-FOV.
+/// Draws cx and cy and their limits, independent of the H-FOV.
 Eigen::Vector2d draw_principal_point(const Pinhole& unit_camera, const PrincipalPointBounds& bounds,
                                      Stream stream, DrawnLens& lens) {
   const Stream values = make_stream(stream.key, "principal point");
@@ -79,7 +79,7 @@ CropOptions crop_options(const LensOptions& options) {
 
 DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, const LensOptions& options,
                     Stream stream) {
-  Pinhole unit_camera = camera;  // its frame's half diagonal is 1
+  Pinhole unit_camera = camera;  // on its frame the half diagonal is 1
   unit_camera.fx *= half_diagonal(camera);
   unit_camera.fy = unit_camera.fx;
   DrawnLens lens;
@@ -106,8 +106,8 @@ DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, c
 
 DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& options, Stream stream) {
   if (order == CropOrder::label_first && options.coefficients.has_k1_range())
-    throw std::runtime_error("k1_min, k1_max: need the base's H-FOV, as k1 is only known with it");
-  // Chosen once, before any rejection, so that the share is that of the lenses kept.
+    throw std::runtime_error("k1_min, k1_max: need the H-FOV of the base, as k1 refers to it");
+  // The scheme is chosen once, before any rejection, so that sequential_share holds among the lenses kept.
   const bool for_coverage = random_uniform(make_stream(stream.key, "scheme"), 0) < options.sequential_share;
   const LensScheme scheme = for_coverage ? LensScheme::sequential : options.scheme;
   std::string why;

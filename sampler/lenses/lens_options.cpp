@@ -52,29 +52,16 @@ LensScheme lens_scheme_from_string(const std::string& word) {
   throw std::runtime_error("is not one of " + list);
 }
 
-bool LensOptions::is_valid(std::string* why) const {
-  if (!(sequential_share >= 0 && sequential_share <= 1)) {
-    *why = "sequential_share: must lie in [0, 1]";
-    return false;
-  }
-  if (coefficients.drawn.empty()) {
-    *why = "coefficients: name at least one of k1, k2, k3, p1, p2";
-    return false;
-  }
-  if (!(coefficients.k1_min <= 0 && coefficients.k1_max >= 0)) {
-    *why = "k1_min ≤ 0 ≤ k1_max: must hold, as 0 is where a draw begins";
-    return false;
-  }
-  if (!coefficients.is_all() && scheme != LensScheme::sequential) {
-    *why = "coefficients, k1_min, k1_max: need lens_draw = sequential; a prior draws all of them together";
-    return false;
-  }
+std::string LensOptions::fault() const {
+  if (!(sequential_share >= 0 && sequential_share <= 1)) return "sequential_share: must lie in [0, 1]";
+  if (coefficients.drawn.empty()) return "coefficients: name at least one of k1, k2, k3, p1, p2";
+  if (!(coefficients.k1_min <= 0 && coefficients.k1_max >= 0))
+    return "k1_min ≤ 0 ≤ k1_max: must hold, as a lens starts without distortion";
+  if (!coefficients.is_all() && scheme != LensScheme::sequential)
+    return "coefficients, k1_min, k1_max: need lens_draw = sequential; a prior draws all of them together";
   for (const std::string& fault : {bounds.fault(), principal_point.fault()})
-    if (!fault.empty()) {
-      *why = fault;
-      return false;
-    }
-  return true;
+    if (!fault.empty()) return fault;
+  return "";
 }
 
 }  // namespace cps

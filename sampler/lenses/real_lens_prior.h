@@ -6,12 +6,12 @@
 #include "distortion/brown_conrady.h"
 #include "random/counter_hash.h"
 
-/// A prior over the radial part of photographic lenses, given the H-FOV: numbers fitted to the rectilinear
-/// profiles of the Lensfun database (https://lensfun.github.io, CC BY-SA 3.0) by sampler/lensfun/. In units
-/// of the half diagonal of the base's frame. See docs/lenses.md.
+/// A prior over the radial coefficients of photographic lenses, given the H-FOV: numbers fitted to the
+/// rectilinear profiles of the Lensfun database (https://lensfun.github.io, CC BY-SA 3.0) by
+/// sampler/lenses/lensfun/. In units of the half diagonal of the base's frame. See docs/lenses.md.
 namespace cps {
 
-/// The lenses whose H-FOV lies within 5° of `hfov_deg`.
+/// Distribution of the lenses whose H-FOV lies within 5° of `hfov_deg`.
 struct RealLensFit {
   double hfov_deg;
   /// Quantiles of the corner's displacement A = K1 + K2 + K3, at `corner_probabilities`.
@@ -21,7 +21,7 @@ struct RealLensFit {
   double k2_slope, k2_sd, k3_slope, k3_on_k2, k3_sd;
 };
 
-/// The outermost quantiles are those of 1 % and 99 %: what lies beyond is not drawn.
+/// The outermost quantiles are those of 1 % and 99 %: lenses beyond them are not drawn.
 inline constexpr std::array corner_probabilities = {0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0};
 
 /// By ascending H-FOV.
@@ -30,7 +30,7 @@ std::span<const RealLensFit> real_lens_fits();
 /// The fit at an H-FOV: linear between two fits, the outermost one beyond them.
 RealLensFit real_lens_fit_at(double hfov_deg);
 
-/// One draw of the radial coefficients. It may exceed any bound: the caller rejects what does.
+/// Draws the radial coefficients. They may exceed any bound; the caller rejects those that do.
 Distortion draw_real_lens(double hfov_rad, Stream stream);
 
 }  // namespace cps

@@ -18,10 +18,10 @@ struct SequentialDraw {
   std::array<int, 5> order;  ///< which coefficient was drawn first, second, …
 };
 
-/// The thesis' scheme: the five coefficients in random order, each uniform in the interval that root-finding
-/// leaves it given those already drawn. That is one sweep of a Gibbs sampler, begun at no distortion, on the
-/// convex set of lenses within the bounds on `frame`, so it never fails and rejects nothing. `choice` leaves
-/// some out and cuts k1's interval, in the frame's unit of length.
+/// Draws the five coefficients in random order, each uniform in the interval that keeps the bounds given
+/// those already drawn (the scheme of the thesis). This is one sweep of a Gibbs sampler, started at no
+/// distortion, on the convex set of lenses within the bounds on `frame`, so that it never fails or rejects.
+/// `choice` leaves coefficients out and cuts the interval of k1, in the frame's unit of length.
 SequentialDraw draw_sequential(const Eigen::AlignedBox2d& frame, const LensBounds& bounds,
                                const CoefficientChoice& choice, Stream stream);
 

@@ -7,7 +7,7 @@ namespace {
 
 enum Drawn : std::uint64_t { corner_displacement, ratio_b, ratio_c };
 
-constexpr double least_sum = 0.25;
+constexpr double min_sum = 0.25;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ LensShape draw_shape(Stream stream) {
 
 std::optional<Distortion> radial_lens(const LensShape& shape) {
   const double sum = 1 + shape.b + shape.c;
-  if (std::abs(sum) < least_sum) return std::nullopt;
+  if (std::abs(sum) < min_sum) return std::nullopt;
   const double k1 = shape.corner / sum;
   return Distortion{.k1 = k1, .k2 = shape.b * k1, .k3 = shape.c * k1};
 }

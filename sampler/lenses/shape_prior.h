@@ -5,8 +5,8 @@
 #include "distortion/brown_conrady.h"
 #include "random/counter_hash.h"
 
-/// A prior over the lenses of cameras, in units of the frame's half diagonal: how far the corner moves, and
-/// the shape of the curve that leads there. The ratios surround those of KITTI's cameras (Geiger et al. 2013)
+/// A prior over the lenses of cameras, in units of the frame's half diagonal: displacement of the corner, and
+/// shape of the radial curve up to it. The ratios b and c cover those of KITTI's cameras (Geiger et al. 2013)
 /// and of the photographic lenses in the Lensfun database.
 namespace cps {
 
@@ -19,8 +19,7 @@ struct LensShape {
 /// corner ~ U[−.33, .20], b ~ N(−.35, .35), c ~ N(−.1 b, .15).
 LensShape draw_shape(Stream stream);
 
-/// The coefficients that belong to a shape; empty where 1 + b + c < .25 in absolute value, which would take a
-/// huge K1 to move the corner.
+/// The coefficients of a shape; empty if |1 + b + c| < .25, where only a huge K1 moves the corner.
 std::optional<Distortion> radial_lens(const LensShape& shape);
 
 }  // namespace cps

@@ -13,7 +13,7 @@ constexpr double same_direction = 0.985;  // cos 10°
 
 enum Drawn : std::uint64_t { which, progress };
 
-/// How far to the left of a place a lane passes beside it in the same direction; 0 where it does not.
+/// Distance to the left at which a lane passes a place in the same direction; 0 if it does not.
 double left_offset_m(const Lane& lane, const Eigen::Vector3d& at, const Eigen::Vector2d& heading) {
   const Eigen::Vector2d left(heading.y(), -heading.x());  // in x and z
   for (std::size_t i = 1; i < lane.points.size(); ++i) {
@@ -50,7 +50,7 @@ LaneOffset draw_lane_change(std::span<const Lane> lanes, int lane, double distan
   if (beside_m.empty()) return {};
   const double whole_m = beside_m[random_below(stream, which, beside_m.size())];
   const double t = random_uniform(stream, progress);
-  // A cubic that begins and ends along the lanes.
+  // A cubic path whose two ends are parallel to the lanes.
   return {.lateral_m = whole_m * t * t * (3 - 2 * t),
           .yaw_rad = std::atan(whole_m * 6 * t * (1 - t) / change_m)};
 }

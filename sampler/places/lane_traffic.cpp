@@ -8,12 +8,13 @@
 namespace cps {
 namespace {
 
-/// From the rear axle: a car's bumpers (a VW Passat's, KITTI's car) and the road it keeps free.
+/// Distances of the bumpers from the rear axle (VW Passat, KITTI's car), and the free road behind and ahead.
 constexpr double rear_bumper_m = 1.1, front_bumper_m = 3.7, free_behind_m = 1, free_ahead_m = 4;
-/// Half of two cars' widths and what they stray; neighbouring lanes' middles are 3 m away.
+/// Half the widths of two cars, and their lateral deviations; the neighbouring lane's centre line is 3 m
+/// away.
 constexpr double abreast_m = 2.2;
 constexpr double other_level_m = 3;
-constexpr double step_m = 0.5, most_steps = 1000;
+constexpr double step_m = 0.5, max_steps = 1000;
 
 }  // namespace
 
@@ -22,7 +23,7 @@ LaneTraffic traffic_on(std::span<const Lane> lanes) {
   for (const Lane& lane : lanes)
     for (const LaneStretch& stretch : lane.occupied) {
       const double from = std::max(stretch.from_m, 0.0), to = std::min(stretch.to_m, length_m(lane));
-      const int steps = static_cast<int>(std::clamp((to - from) / step_m, 0.0, most_steps)) + 1;
+      const int steps = static_cast<int>(std::clamp((to - from) / step_m, 0.0, max_steps)) + 1;
       for (int i = 0; i <= steps && from < to; ++i)
         traffic.points.push_back(place_on_lane(lane, std::lerp(from, to, i / double(steps)), 0, 0).position);
     }

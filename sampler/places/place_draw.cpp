@@ -16,14 +16,14 @@ namespace cps {
 namespace {
 
 constexpr int max_attempts = 200;
-/// A place keeps this far from where a lane begins or ends without a link to another.
+/// Distance that places keep from the start or end of a lane that is not linked to another.
 constexpr double blind_end_m = 3;
-/// And as far from where it goes over into another part's, if the lane is twice as long.
+/// Distance that they keep from the end of a lane that leads into another part's; at most half the lane.
 constexpr double other_part_m = 10;
 
-/// What one attempt draws, by index into the attempt's stream.
+/// Indices of the numbers that one attempt draws, in the attempt's stream.
 enum Drawn : std::uint64_t { along, lateral, heading, lane_change };
-/// And for each camera, from a stream of its own.
+/// Indices of the numbers drawn for each camera, in a stream of its own.
 enum DrawnMount : std::uint64_t { yaw, pitch, roll, forward, left, up };
 
 RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) {
@@ -36,7 +36,7 @@ RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) 
   return camera;
 }
 
-/// Of the first camera that has one.
+/// The fault of the first camera that has one.
 PlaceFault rig_fault(const SceneRays& rays, const DrawnPlace& drawn, const Recipe& recipe) {
   for (const RigCamera& camera : drawn.cameras) {
     const Eigen::Isometry3d vehicle = vehicle_from_camera(camera);

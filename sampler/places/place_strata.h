@@ -12,12 +12,12 @@ struct LaneStratum {
   std::int64_t index = 0, count = 1;
 };
 
-/// Which stratum each of `count` places has: every one once, in a drawn order, so that neither the places'
-/// numbers nor the lenses that go with them follow the lanes.
+/// The stratum of each of `count` places: every stratum once, in random order, so that neither the numbers of
+/// the places nor their lenses correlate with the position along the lanes.
 std::vector<LaneStratum> deal_strata(std::int64_t count, Stream stream);
 
-/// Where along the lanes (0 … 1) a place is tried for the `attempt`-th time, given `u` in [0, 1): within its
-/// stratum, or, if nothing is found there, in an ever wider surrounding of it, in the end everywhere.
+/// The position along the lanes (0 … 1) of the `attempt`-th try for a place, given `u` in [0, 1): within its
+/// stratum at first, then in an ever wider interval around it, finally anywhere.
 double stratified(const LaneStratum& stratum, int attempt, double u);
 
 }  // namespace cps

@@ -8,11 +8,11 @@
 
 namespace cps {
 
-/// Adds one set's and camera's groups to the plan as its views ask for them: the undistorted one if the
-/// recipe wants it, and `lenses` of its own for every block of `views_per_lens` views of each part.
+/// Adds the groups of one set and camera to the plan as its views ask for them: the undistorted group, if the
+/// recipe has it, and `lenses` groups for every block of `views_per_lens` views of each part.
 class SetGroups {
  public:
-  /// What views share that are seen through the same lenses.
+  /// The groups and the master camera of views that share their lenses.
   struct Block {
     std::vector<int> groups;  ///< indices into plan.groups, the undistorted one first, if there is one
     Pinhole master;
@@ -20,7 +20,7 @@ class SetGroups {
 
   SetGroups(Plan& plan, int set, int camera);
 
-  /// The block of the part's `rank_in_part`-th view.
+  /// The block of the `rank_in_part`-th view of a part; draws its lenses if it is new.
   const Block& block_of(Part part, int rank_in_part);
 
  private:
@@ -29,7 +29,7 @@ class SetGroups {
 
   Plan& plan_;
   int set_, camera_;
-  int undistorted_ = -1;  ///< -1: none
+  int undistorted_ = -1;  ///< index of the undistorted group; -1: none
   std::map<std::pair<Part, int>, Block> blocks_;
 };
 

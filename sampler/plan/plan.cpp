@@ -13,7 +13,7 @@
 namespace cps {
 namespace {
 
-/// A city is planned as one scene a condition, a file as one scene for all.
+/// A city comes as one scene per condition (day), a file as one scene for all its conditions.
 std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, const std::vector<PlannedScene>& scenes) {
   std::vector<PlannedCondition> conditions;
   for (int scene = 0; scene < static_cast<int>(scenes.size()); ++scene)
@@ -75,10 +75,10 @@ void plan_views_of_set(Plan& plan, int set) {
   }
 }
 
-/// By view: the places of a set in the same streets, on whatever day, share these out.
+/// The stratum of each view: the places of a set in the same streets, on any day, share the strata.
 std::vector<LaneStratum> strata_of_views(const Plan& plan) {
   const bool shares_streets = plan.recipe.split == "thesis";
-  std::map<std::uint64_t, std::vector<std::size_t>> views_of;  // by what shares its lanes
+  std::map<std::uint64_t, std::vector<std::size_t>> views_of;  // views by the lanes that they share
   for (std::size_t v = 0; v < plan.views.size(); ++v) {
     const PlannedView& view = plan.views[v];
     if (view.rig_camera != 0) continue;
@@ -94,8 +94,8 @@ std::vector<LaneStratum> strata_of_views(const Plan& plan) {
   return strata;
 }
 
-/// Draws the places of all views, one scene in memory at a time. `plan.views` is sorted by condition, and the
-/// conditions of a scene stand together.
+/// Draws the places of all views, with one scene in memory at a time. `plan.views` is sorted by condition,
+/// and the conditions of a scene are contiguous.
 void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesystem::path&)>& load) {
   const std::vector<LaneStratum> strata = strata_of_views(plan);
   std::size_t v = 0;

@@ -13,11 +13,11 @@
 #include "scenes/drive/driven_scene.h"
 #include "scenes/rig.h"
 
-/// A recipe counted out: every condition, set, group and view, before anything is rendered. The plan is a
-/// pure function of the recipe and the scenes' geometry.
+/// A recipe expanded to every condition, set, group and view, before anything is rendered. The plan is a pure
+/// function of the recipe and the scenes' geometry.
 namespace cps {
 
-/// Scene and light. Within one only pose and camera vary, so it is loaded once.
+/// A scene in one light. Within a condition only pose and camera vary, so that it is loaded once.
 struct PlannedCondition {
   int scene = 0;
   DrawnLight light;
@@ -27,7 +27,7 @@ struct PlannedCondition {
 struct PlannedSet {
   std::string folder;  ///< 1392x512_hfov090
   int size = 0;        ///< index into the recipe's sizes
-  Pinhole camera;      ///< output-sized, centred: the base of all its lenses, or, label-first, their image
+  Pinhole camera;  ///< output-sized and centred: base of all lenses of the set or, label-first, final camera
 };
 
 /// Images that share size, rig camera, H-FOV and lens: one leaf folder.
@@ -35,16 +35,16 @@ struct PlannedGroup {
   std::string folder;  ///< <set folder>/front_lens0003
   int set = 0;
   int camera = 0;       ///< index into Plan::rig
-  int lens_number = 0;  ///< unique in the dataset, but 0, the undistorted lens, is in every set and camera
+  int lens_number = 0;  ///< unique in the dataset, except 0, the undistorted lens, in every set and camera
   Part part = Part::all;
   DrawnLens lens;
 };
 
-/// One render and the groups that see it through their lenses. Views of one set and index are one place, seen
-/// by the rig's cameras.
+/// One render, and the groups that show it through their lenses. Views with the same set and index show the
+/// same place through different cameras of the rig.
 struct PlannedView {
   int set = 0;
-  int index = 0;       ///< of the place within the set; the images' file name
+  int index = 0;       ///< index of the place within the set; the file name of its images
   int rig_camera = 0;  ///< index into Plan::rig
   int condition = 0;
   Part part = Part::train;
@@ -52,31 +52,31 @@ struct PlannedView {
   Place place;
   RigCamera camera;  ///< with this view's mount errors
   std::uint64_t seed = 0;
-  Pinhole master;           ///< what is rendered, for all its groups
-  std::vector<int> groups;  ///< the undistorted one first, if there is one
+  Pinhole master;           ///< camera of the render for all its groups
+  std::vector<int> groups;  ///< indices into Plan::groups; the undistorted group comes first
 };
 
 struct Plan {
   Recipe recipe;
-  Rig rig;  ///< as meant, without mount errors
+  Rig rig;  ///< without mount errors
   std::vector<PlannedScene> scenes;
   std::vector<PlannedCondition> conditions;
   std::vector<PlannedSet> sets;
   std::vector<PlannedGroup> groups;
-  std::vector<PlannedView> views;  ///< by condition, then set, then index, then camera
+  std::vector<PlannedView> views;  ///< sorted by condition, set, index, camera
   int distorted_lenses = 0;
   PlaceTally places;
 };
 
-/// Number of images the plan makes.
+/// Number of images in the plan.
 std::int64_t image_count(const Plan& plan);
 
 /// `000017.png`, with the extension of the recipe's image format.
 std::string image_name(const Plan& plan, const PlannedView& view);
 
-/// Expands a valid recipe for the cars' rig. `scenes` are its scenes and cities, whose files exist; `load`
-/// imports one (one is held at a time). Throws std::runtime_error when a scene has too few streets for three
-/// parts or no clear places.
+/// Expands a valid recipe for a rig. `scenes` are its scenes and cities, whose files exist; `load` imports
+/// one (one is in memory at a time). Throws std::runtime_error if a scene has too few streets for three parts
+/// or no free places.
 Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
                const std::function<DrivenScene(const std::filesystem::path&)>& load);
 

@@ -13,9 +13,9 @@ std::vector<PlannedScene> plan_scenes(const Recipe& recipe, const std::filesyste
 
   std::vector<std::uint64_t> seeds = recipe.city_seeds;
   const Stream drawn = make_stream(recipe.seed, "city");
-  constexpr std::uint64_t seed_count = 1'000'000'000;  // short file names
+  constexpr std::uint64_t seed_count = 1'000'000'000;  // keeps file names short
   for (int i = 0; i < recipe.cities; ++i) seeds.push_back(random_below(drawn, i, seed_count));
-  std::map<std::pair<CityStyle, std::uint64_t>, std::uint64_t> days;  // of each city so far
+  std::map<std::pair<CityStyle, std::uint64_t>, std::uint64_t> days;  // number of days of each city so far
   for (std::size_t i = 0; i < seeds.size(); ++i)
     for (int condition = 0; condition < recipe.conditions_per_scene; ++condition) {
       const CityStyle style = recipe.city_styles[i % recipe.city_styles.size()];

@@ -11,22 +11,22 @@
 
 namespace cps {
 
-/// A file with the streets, and, of a city, with the traffic of one day: each of a city's conditions shows
-/// another, in the same streets.
+/// A scene file. A procedural city has one per condition: the same streets with the traffic of another day.
 struct PlannedScene {
   std::filesystem::path file;
-  std::optional<CityOptions> city = std::nullopt;  ///< what the file is made from; none: it was there before
-  double metres_per_unit = 1;                      ///< known once the scene is loaded
-  std::string credits = {};                        ///< as the file states them, known then too
+  std::optional<CityOptions> city =
+      std::nullopt;            ///< options to make the file from; empty: the file is given
+  double metres_per_unit = 1;  ///< set when the scene is loaded
+  std::string credits = {};    ///< as the file states them; set when the scene is loaded
 };
 
-/// The recipe's scenes: its files, then its procedural cities as files in `city_folder`, those of `city_seed`
-/// before the drawn ones, each as often as it has conditions. A city that is named twice has twice as many
-/// days. Nothing is read or made.
+/// Lists the recipe's scenes: its files, then its procedural cities as files in `city_folder`, those of
+/// `city_seed` before the drawn ones, each city once per condition. A city that is named twice has twice as
+/// many days. Reads and makes no file.
 std::vector<PlannedScene> plan_scenes(const Recipe& recipe, const std::filesystem::path& city_folder);
 
-/// Decides which streets of a scene belong to which part: the same for all scenes with the same streets,
-/// which are one city's days, or one file named twice.
+/// The stream that assigns the streets of a scene to train, val and test: the same for all scenes with the
+/// same streets, which are the days of one city, or one file named twice.
 Stream streets_stream(const Recipe& recipe, const std::vector<PlannedScene>& scenes, std::size_t scene);
 
 }  // namespace cps

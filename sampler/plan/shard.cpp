@@ -8,7 +8,7 @@
 namespace cps {
 namespace {
 
-constexpr std::int64_t most_shards = 1'000'000;
+constexpr std::int64_t max_shards = 1'000'000;
 
 double master_pixels(const PlannedView& view) {
   return static_cast<double>(view.master.width) * view.master.height;
@@ -30,7 +30,7 @@ Shard shard_from_string(const std::string& text) {
   } catch (const std::exception&) {
     throw std::runtime_error("is not a shard; write it as 0/4, the first of four");
   }
-  if (shard.count < 1 || shard.count > most_shards)
+  if (shard.count < 1 || shard.count > max_shards)
     throw std::runtime_error("the number of shards must lie in [1, 1000000]");
   if (shard.index < 0 || shard.index >= shard.count)
     throw std::runtime_error("shards count from 0: must lie in [0/" + std::to_string(shard.count) + ", " +
@@ -42,8 +42,8 @@ ViewRange views_of(const Plan& plan, const Shard& shard) {
   double total = 0;
   for (const PlannedView& view : plan.views) total += master_pixels(view);
   const auto views = static_cast<std::int64_t>(plan.views.size());
-  // Pixel counts are whole numbers below 2⁵³, so their sums are exact, and cut i of n is the same one
-  // whoever asks.
+  // Pixel counts are whole numbers below 2⁵³, so that their sums are exact and all processes agree on cut i
+  // of n.
   const auto cut = [&](std::int64_t i) {
     const double wanted = total * static_cast<double>(i) / static_cast<double>(shard.count);
     double before = 0;

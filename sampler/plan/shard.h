@@ -7,7 +7,7 @@
 
 namespace cps {
 
-/// Slice `index` of `count`, counted from 0: what one process of several makes of a plan.
+/// Slice `index`, from 0, of the `count` slices of a plan that several processes share.
 struct Shard {
   std::int64_t index = 0, count = 1;
   bool operator==(const Shard&) const = default;
@@ -16,7 +16,7 @@ struct Shard {
 /// `2/8`
 std::string to_string(const Shard& shard);
 
-/// The other way. Throws std::runtime_error in one line: what was meant, the range.
+/// Reads what to_string() writes. Throws std::runtime_error in one line that names the form or the range.
 Shard shard_from_string(const std::string& text);
 
 /// Views `begin` … `end − 1` of a plan.
@@ -24,10 +24,10 @@ struct ViewRange {
   std::int64_t begin = 0, end = 0;
 };
 
-/// The shard's views: contiguous in the plan's order, which is by condition, so that n shards load at most
-/// n − 1 scenes more than one does; cut so that all have the same number of master pixels to render, as near
-/// as whole views allow. The shards of one count have every view once; with more shards than views some have
-/// none.
+/// The views of a shard: contiguous in the plan's order, which is by condition, so that n shards together
+/// load at most n − 1 more scenes than one does. All shards have the same number of master pixels to render,
+/// as nearly as whole views allow. Every view is in exactly one of the n shards; with more shards than views,
+/// some are empty.
 ViewRange views_of(const Plan& plan, const Shard& shard);
 
 }  // namespace cps

@@ -4,8 +4,8 @@
 
 namespace cps {
 
-/// Draws a lens for each size and H-FOV of a recipe that is valid otherwise, so that limits that leave none
-/// are found before any work. Throws std::runtime_error in one line: set, keys, reason.
+/// Draws a lens for each size and H-FOV of an otherwise valid recipe, to refuse limits that leave no lens
+/// before any work is done. Throws std::runtime_error in one line: set, keys, reason.
 void require_lenses(const Recipe& recipe);
 
 }  // namespace cps

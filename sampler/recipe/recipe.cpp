@@ -1,17 +1,8 @@
 #include "sampler/recipe/recipe.h"
 
 #include <algorithm>
-#include <boost/program_options/parsers.hpp>
 #include <cmath>
-#include <fstream>
 #include <map>
-
-#include "sampler/recipe/key_options.h"
-#include "sampler/recipe/lens_check.h"
-#include "sampler/recipe/recipe_keys.h"
-#include "sampler/recipe/recipe_scale.h"
-
-namespace po = boost::program_options;
 
 namespace cps {
 namespace {
@@ -26,7 +17,12 @@ struct Check {
   const char* reason;
 };
 
-/// Whether files of one name in two folders are among them: a dataset tells its scenes apart by name.
+/// Whether a recipe file can hold the text: # starts a comment there, and a line ends the value.
+bool fits_recipe_file(const std::string& text) {
+  return text.find_first_of("#\n\r") == text.npos;
+}
+
+/// Whether two files in different folders have the same name: a dataset tells its scenes apart by name.
 bool has_namesakes(const std::vector<std::string>& files) {
   std::map<std::filesystem::path, std::string> by_name;
   return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
@@ -36,7 +32,7 @@ bool has_namesakes(const std::vector<std::string>& files) {
 
 }  // namespace
 
-bool Recipe::is_valid(std::string* why) const {
+std::string Recipe::fault() const {
   const auto all_sizes = [&](auto holds) {
     for (const ImageSize& size : sizes)
       if (!holds(size)) return false;
@@ -54,6 +50,10 @@ bool Recipe::is_valid(std::string* why) const {
   };
   const Check checks[] = {
       {!name.empty(), "name: must not be empty"},
+      {fits_recipe_file(name), "name: must not contain # or a line break"},
+      {std::all_of(scenes.begin(), scenes.end(), fits_recipe_file),
+       "scene: a file name must not contain # or a line break; rename it"},
+      {fits_recipe_file(rig), "rig: a file name must not contain # or a line break; rename it"},
       {!scenes.empty() || !city_seeds.empty() || cities > 0,
        "scene, city_seed, cities: name at least one scene or city"},
       {!has_namesakes(scenes), "scene: two files in different folders have the same name; rename one"},
@@ -96,60 +96,12 @@ bool Recipe::is_valid(std::string* why) const {
       {is_between(jpeg_quality, 1, 100), "jpeg_quality: must lie in [1, 100]"},
   };
   for (const Check& check : checks)
-    if (!check.holds) {
-      *why = check.reason;
-      return false;
-    }
-  if (!light.is_valid(why) || !lens_options.is_valid(why)) return false;
-  if (const std::string fault = sensor.fault(); !fault.empty()) {
-    *why = fault;
-    return false;
-  }
-  if (crop_order() == CropOrder::label_first && lens_options.coefficients.has_k1_range()) {
-    *why = "k1_min, k1_max: need base_hfov_deg, as k1 is only known with the base";
-    return false;
-  }
-  return true;
-}
-
-po::options_description recipe_options() {
-  const Recipe defaults;
-  po::options_description options = key_options("Recipe keys (in the file, or as flags that override it)",
-                                                [&](auto visit) { for_each_recipe_key(defaults, visit); });
-  options.add_options()("scale", po::value<double>()->default_value(1),
-                        "makes so much of the recipe: views and cities times this, at least 3 and 1");
-  return options;
-}
-
-void store_recipe_file(const std::filesystem::path& file, po::variables_map& values) {
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read; name a recipe file");
-  try {
-    po::store(po::parse_config_file(stream, recipe_options()), values);
-  } catch (const po::error& error) {
-    throw std::runtime_error(file.string() + ": " + error.what() + "; `cps help generate` lists the keys");
-  }
-}
-
-Recipe recipe_from(const po::variables_map& values) {
-  Recipe recipe;
-  try {
-    read_keys(values, [&](auto visit) { for_each_recipe_key(recipe, visit); });
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string("recipe: ") + error.what());
-  }
-  if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error("recipe: " + why);
-  require_lenses(recipe);
-  if (values.count("scale") > 0) recipe = scaled_recipe(recipe, values["scale"].as<double>());
-  return recipe;
-}
-
-std::string to_text(const Recipe& recipe) {
-  std::string text;
-  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char*) {
-    text += std::string(key) + " = " + value_text(value) + "\n";
-  });
-  return text;
+    if (!check.holds) return check.reason;
+  for (const std::string& fault : {light.fault(), lens_options.fault(), sensor.fault()})
+    if (!fault.empty()) return fault;
+  if (crop_order() == CropOrder::label_first && lens_options.coefficients.has_k1_range())
+    return "k1_min, k1_max: need base_hfov_deg, as k1 is only known with the base";
+  return "";
 }
 
 }  // namespace cps

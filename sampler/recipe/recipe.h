@@ -15,8 +15,8 @@
 #include "scenes/city/city_style.h"
 #include "sensor/sensor.h"
 
-/// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also a
-/// flag of `cps generate`, and a flag overrides the file.
+/// What a person asks for. A recipe file is `key = value` lines (# starts a comment); every key is also an
+/// option of `cps generate`, which overrides the file.
 namespace cps {
 
 struct Recipe {
@@ -25,69 +25,71 @@ struct Recipe {
 
   // Scenes.
   std::vector<std::string> scenes;                          ///< glTF files
-  std::vector<std::uint64_t> city_seeds;                    ///< procedural cities, made when needed
-  int cities = 0;                                           ///< so many more, whose seeds are drawn
-  std::vector<CityStyle> city_styles{CityStyle::european};  ///< of all of them, in turn
-  double traffic_min = 0.3, traffic_max = 1.7;  ///< drawn for each: times what its style has on its lanes
+  std::vector<std::uint64_t> city_seeds;                    ///< seeds of procedural cities
+  int cities = 0;                                           ///< number of further cities, with drawn seeds
+  std::vector<CityStyle> city_styles{CityStyle::european};  ///< used in turn
+  double traffic_min = 0.3, traffic_max = 1.7;              ///< range to draw from, times the style's traffic
 
-  // Conditions: each scene in so many lights.
+  // Conditions: a scene in a drawn light.
   int conditions_per_scene = 1;
   LightOptions light;
 
-  // Sets: every size at every H-FOV, which is either the bases' or the labels'.
+  // Sets: every size at every H-FOV. Either base_hfov_deg or hfov_deg is given.
   std::vector<ImageSize> sizes;
   std::vector<double> base_hfov_deg;
   std::vector<double> hfov_deg;
   PerSize views = 0;  ///< places per set, each seen by every camera of the rig
 
   // The car.
-  std::string rig;                 ///< a rig file; none: one camera, front
-  bool ego_bonnet = false;         ///< the car's own bonnet in the picture: its outline tells the H-FOV
+  std::string rig;                 ///< rig file; empty: one camera, front
+  bool ego_bonnet = false;         ///< show the car's own bonnet, whose outline tells the H-FOV
   double mount_error_deg = 1.0;    ///< standard deviation of each camera's drawn yaw, pitch and roll
-  double mount_error_m = 0.01;     ///< standard deviation of its position along each axis
+  double mount_error_m = 0.01;     ///< standard deviation of each camera's position along each axis
   double lateral_m = 0.25;         ///< standard deviation of the car's offset from the lane's centre line
   double heading_deg = 3.0;        ///< standard deviation of the car's heading off the lane's direction
-  double lane_change_share = 0.1;  ///< of the places beside another lane that leads the same way
-  /// A place with less free way in front of a camera is drawn again; cameras that look more than 60° off the
-  /// driving direction need less, as parked cars and walls stand beside a lane.
+  double lane_change_share = 0.1;  ///< among the places with a lane beside in the same direction
+  /// Free distance in front of a camera; a place with less is drawn again. Cameras that look more than 60°
+  /// away from the driving direction need less, as parked cars and walls stand beside a lane.
   double clearance_m = 2.5, side_clearance_m = 0.8;
 
-  // Lenses. Each part of the split has its own.
+  // Lenses. Train, val and test have different ones.
   PerSize lenses = 0;       ///< distorted images per view
-  bool undistorted = true;  ///< one more image per view, through no lens
-  int views_per_lens = 0;   ///< after so many views a part draws new lenses; 0: never
+  bool undistorted = true;  ///< one more image per view, without distortion
+  int views_per_lens = 0;   ///< number of views of a part that share lenses; 0: all
   LensOptions lens_options;
 
-  // Parts: `route` gives whole streets to train, val or test; `thesis` splits by view and shares streets.
+  // Parts: `route` gives each street to train, val or test; `thesis` splits by view, so that they share
+  // streets.
   double train_share = 0.70, val_share = 0.15;
   std::string split = "route";
 
   // Rendering and the sensor.
-  int samples =
-      16;  ///< per master pixel, even; an output pixel is as noisy as the mean of four times as many
+  /// Paths per master pixel, even; an output pixel is as noisy as the mean of four times as many.
+  int samples = 16;
   int max_shaded_vertices = 5;
   SensorOptions sensor;
 
   // Files.
   ImageFormat image_format = ImageFormat::png;
   int jpeg_quality = 95;
-  bool keep_masters = false;  ///< of every view, so that training can draw lenses of its own
+  bool keep_masters = false;  ///< write every view's master, so that training can draw lenses of its own
 
   CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 
-  /// One line that names the key and its range when something is off.
-  bool is_valid(std::string* why) const;
+  /// Empty if the recipe is usable; otherwise one line that names the key and its range.
+  std::string fault() const;
 };
 
-/// Every key as a string-valued option with its help text and default, for files and flags alike.
+/// Every key as a string-valued option with its help text and default, for files and the command line alike.
 boost::program_options::options_description recipe_options();
 
-/// Adds a recipe file's keys to `values`; what is there already (flags) stays. Throws std::runtime_error:
-/// file, key, fix.
+/// Adds a recipe file's keys to `values`; what is there already (from the command line) stays, and if that
+/// names scenes or cities, the file's scenes and cities are left out. Keys may be written with `-` for `_`.
+/// Throws std::runtime_error: file, key, fix.
 void store_recipe_file(const std::filesystem::path& file, boost::program_options::variables_map& values);
 
-/// The recipe that these keys make, made smaller if `scale` says so: checked, and at least one lens found for
-/// each of its sets. Throws std::runtime_error: key, value, fix.
+/// The recipe with these keys, scaled by `scale`. Checks it, and that a lens exists for each of its sets.
+/// Throws std::runtime_error: key, value, fix.
 Recipe recipe_from(const boost::program_options::variables_map& values);
 
 /// The recipe as a file that reads back to the same recipe: every key, one a line.

@@ -7,7 +7,7 @@
 namespace cps {
 namespace {
 
-/// Blocks of views that share their lenses, of all parts.
+/// Number of blocks of views that share their lenses, over all parts.
 std::int64_t lens_blocks(const Recipe& recipe, int views) {
   const std::vector<double> equal_weights(views, 1.0);
   std::array<std::int64_t, 3> views_of_part = {};

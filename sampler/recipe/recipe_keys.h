@@ -10,60 +10,98 @@ namespace cps {
 /// from it, so a key is added here and nowhere else. RecipeT is Recipe or const Recipe.
 template <typename RecipeT, typename Visitor>
 void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
-  visit("name", r.name, "what the dataset calls itself");
-  visit("seed", r.seed, "everything drawn follows from it");
+  visit("name", r.name, "name of the dataset");
+  visit("seed", r.seed, "seed of every random choice, a whole number from 0");
 
   visit("scene", r.scenes,
-        "glTF files, separated by commas; one without lanes is searched for ground to drive on");
-  visit("city_seed", r.city_seeds, "procedural cities by seed, separated by commas");
-  visit("cities", r.cities, "so many more procedural cities, whose seeds are drawn");
-  visit("city_style", r.city_styles, "the cities' styles, in turn, separated by commas");
-  visit("traffic_min", r.traffic_min, "least traffic of a city, times what its style has; 0: none");
-  visit("traffic_max", r.traffic_max, "most; 2 at most");
+        "glTF files, separated by commas; a scene without lanes is searched for ground to drive on. --scene, "
+        "--city_seed and --cities on the command line replace all scenes of the recipe file");
+  visit("city_seed", r.city_seeds, "seeds of procedural cities, separated by commas");
+  visit("cities", r.cities, "number of further procedural cities, with drawn seeds, 0 to 100000");
+  visit("city_style", r.city_styles,
+        "styles of the procedural cities, used in turn: european, downtown, suburb, industrial, mixed; "
+        "separated by commas");
+  visit("traffic_min", r.traffic_min,
+        "least traffic to draw for a city, as a multiple of its style's traffic: 0 (none) to 2");
+  visit("traffic_max", r.traffic_max,
+        "most traffic to draw for a city, as a multiple of its style's traffic: traffic_min to 2");
 
-  visit("conditions_per_scene", r.conditions_per_scene, "each has its own day, hour and weather");
+  visit("conditions_per_scene", r.conditions_per_scene,
+        "conditions per scene, each with a date, an hour, a weather and, in a city, traffic of its own; 1 to "
+        "100000");
   for_each_light_key(r.light, visit);
 
-  visit("size", r.sizes, "image sizes in pixels, as 1392x512, separated by commas");
-  visit("base_hfov_deg", r.base_hfov_deg, "H-FOVs of the masters, before the crop, separated by commas");
+  visit("size", r.sizes, "image sizes, WIDTHxHEIGHT in pixels, separated by commas; 32 to 8192 a side");
+  visit("base_hfov_deg", r.base_hfov_deg,
+        "horizontal fields of view before the crop, degrees, separated by commas; 5 to 165. The images' "
+        "follow from lens and crop");
   visit("hfov_deg", r.hfov_deg,
-        "instead: H-FOVs of the images, after the crop; each lens gets the base that leads there");
-  visit("views", r.views, "views per size, H-FOV and camera: so many places; a number, or one per size");
+        "horizontal fields of view of the images, after the crop, degrees, separated by commas; 5 to 165. "
+        "Each lens gets the base that leads there. Name either this or base_hfov_deg");
+  visit("views", r.views,
+        "places per size and H-FOV, each seen by every camera of the rig; one number, or one per size; 3 to "
+        "1000000");
 
-  visit("rig", r.rig, "rig file, as named or beside the recipe; none: one camera, 1.65 m high");
-  visit("ego_bonnet", r.ego_bonnet, "show the car's own bonnet; a network may then read the H-FOV off it");
-  visit("mount_error_deg", r.mount_error_deg, "standard deviation of each camera's yaw, pitch and roll");
-  visit("mount_error_m", r.mount_error_m, "standard deviation of each camera's position along each axis");
-  visit("lateral_m", r.lateral_m, "standard deviation of the car's offset from its lane's middle");
-  visit("heading_deg", r.heading_deg, "standard deviation of the car's heading off its lane's");
+  visit("rig", r.rig,
+        "rig file that lists the car's cameras: a path, or a file beside the recipe. Without it: one camera, "
+        "1.65 m above the road, that looks straight ahead");
+  visit("ego_bonnet", r.ego_bonnet,
+        "true: show the bonnet of the camera's own car; its outline tells a network the H-FOV");
+  visit("mount_error_deg", r.mount_error_deg,
+        "standard deviation of each camera's errors in yaw, pitch and roll, degrees, 0 to 30");
+  visit("mount_error_m", r.mount_error_m,
+        "standard deviation of each camera's position error along each axis, metres, 0 to 0.5");
+  visit("lateral_m", r.lateral_m,
+        "standard deviation of the car's offset from the lane's centre line, metres, 0 to 2");
+  visit("heading_deg", r.heading_deg,
+        "standard deviation of the car's heading from the lane's direction, degrees, 0 to 45");
   visit("lane_change_share", r.lane_change_share,
-        "share of places where the car is changing lanes, if it can");
-  visit("clearance_m", r.clearance_m, "free way a place must have in front of a camera");
-  visit("side_clearance_m", r.side_clearance_m, "the same for cameras more than 60 degrees off ahead");
+        "share of the places where the car is changing lanes, if the street has another lane in its "
+        "direction; 0 to 1");
+  visit("clearance_m", r.clearance_m, "free distance required in front of a camera, metres, 0 to 50");
+  visit("side_clearance_m", r.side_clearance_m,
+        "free distance required in front of a camera that looks more than 60 degrees away from the driving "
+        "direction, metres, 0 to 50");
 
-  visit("lenses", r.lenses, "distorted images per view; a number, or one per size");
-  visit("undistorted", r.undistorted, "every view once more, through no lens");
-  visit("views_per_lens", r.views_per_lens, "a part draws new lenses after so many views; 0: never");
+  visit("lenses", r.lenses,
+        "distorted images per view, each through a lens of its own; one number, or one "
+        "per size; 0 to 10000");
+  visit("undistorted", r.undistorted, "true: one more image per view, without distortion");
+  visit("views_per_lens", r.views_per_lens,
+        "number of views that share their lenses, counted within train, val and test; 0: all of them");
   for_each_lens_key(r.lens_options, visit);
 
-  visit("train_share", r.train_share, "share of the views in train");
-  visit("val_share", r.val_share, "share of the views in val; the rest is test");
-  visit("split", r.split, "route: a street belongs to one part; thesis: random by view");
+  visit("train_share", r.train_share, "share of the views in the train split, 0.01 to 0.98");
+  visit("val_share", r.val_share,
+        "share of the views in the val split, 0.01 to 0.98; the rest, at least 0.01, is the test split");
+  visit("split", r.split,
+        "how views are split: route, every street belongs to one of train, val and test; thesis, at random, "
+        "so that the three share streets");
 
   visit("samples", r.samples,
-        "rays per master pixel, even; an output pixel is as noisy as the mean of four times as many");
-  visit("max_shaded_vertices", r.max_shaded_vertices, "surface points at which a path gathers light");
-  visit("exposure_bias_min_ev", r.sensor.exposure_bias_min_ev, "darkest exposure against the meter");
-  visit("exposure_bias_max_ev", r.sensor.exposure_bias_max_ev, "brightest exposure against the meter");
-  visit("full_well_min_e", r.sensor.full_well_min_e, "fewest electrons at white (most shot noise)");
-  visit("full_well_max_e", r.sensor.full_well_max_e, "most electrons at white");
-  visit("read_noise_min_e", r.sensor.read_noise_min_e, "least read noise, rms electrons");
-  visit("read_noise_max_e", r.sensor.read_noise_max_e, "most read noise");
+        "paths per master pixel, even, 2 to 65536; an output pixel is as noisy as the mean of four times as "
+        "many");
+  visit("max_shaded_vertices", r.max_shaded_vertices,
+        "surfaces along a path at which light is gathered, 1 to 64");
+  visit("exposure_bias_min_ev", r.sensor.exposure_bias_min_ev,
+        "darkest exposure to draw, stops against the metered one, -10 to 10");
+  visit("exposure_bias_max_ev", r.sensor.exposure_bias_max_ev,
+        "brightest exposure to draw, stops against the metered one, exposure_bias_min_ev to 10");
+  visit("full_well_min_e", r.sensor.full_well_min_e,
+        "smallest full well to draw, electrons of a white pixel, 1 to 1e7; fewer electrons, more shot noise");
+  visit("full_well_max_e", r.sensor.full_well_max_e,
+        "largest full well to draw, electrons of a white pixel, full_well_min_e to 1e7");
+  visit("read_noise_min_e", r.sensor.read_noise_min_e,
+        "smallest read noise to draw, rms electrons, 0 to 1e4");
+  visit("read_noise_max_e", r.sensor.read_noise_max_e,
+        "largest read noise to draw, rms electrons, read_noise_min_e to 1e4");
 
-  visit("image_format", r.image_format, "png, png_gray, jpeg, or exr: linear, without sensor noise");
-  visit("jpeg_quality", r.jpeg_quality, "1 to 100, colours not subsampled");
+  visit("image_format", r.image_format,
+        "format of the images: png, 8-bit sRGB; png_gray, 8 bits of a sensor without colours; jpeg, 8-bit "
+        "sRGB with losses; exr, linear half floats without sensor noise");
+  visit("jpeg_quality", r.jpeg_quality, "quality of jpeg images, 1 to 100; colours are not subsampled");
   visit("keep_masters", r.keep_masters,
-        "keep every view's undistorted render too, for cps train --online-lenses");
+        "true: keep every view's undistorted render as well, for cps train --online-lenses");
 }
 
 }  // namespace cps

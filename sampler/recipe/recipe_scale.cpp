@@ -19,11 +19,12 @@ Recipe scaled_recipe(Recipe recipe, double scale) {
   if (!(scale > 0 && scale <= 100)) throw std::runtime_error("scale: must be above 0 and at most 100");
   if (scale == 1) return recipe;
   for (int& views : recipe.views.values) views = std::max(3, static_cast<int>(std::lround(views * scale)));
-  // Rounded up, so that what is named or drawn at all is not lost.
+  // Rounded up, so that no kind of scene is lost.
   recipe.cities = static_cast<int>(std::ceil(recipe.cities * scale));
   keep_share(recipe.scenes, scale);
   keep_share(recipe.city_seeds, scale);
-  if (std::string why; !recipe.is_valid(&why)) throw std::runtime_error("recipe: " + why + " (after scale)");
+  if (const std::string fault = recipe.fault(); !fault.empty())
+    throw std::runtime_error("recipe: " + fault + " (after scale)");
   return recipe;
 }
 

@@ -4,10 +4,10 @@
 
 namespace cps {
 
-/// A valid recipe, smaller (or larger): views of each set and drawn cities times `scale`, of named scenes and
-/// cities the first so many; at least 3 views and one scene are left. Conditions per scene, lenses per view
-/// and views per lens stay, and so do the views that a condition has. Throws std::runtime_error when `scale`
-/// is out of its range or the recipe is not valid afterwards.
+/// Makes a valid recipe smaller or larger: multiplies the views of each set and the number of drawn cities by
+/// `scale`, and keeps that share of the named scenes and cities; at least 3 views and one scene are left.
+/// Conditions per scene, lenses per view, views per lens and views per condition stay. Throws
+/// std::runtime_error if `scale` is out of range or the scaled recipe is not valid.
 Recipe scaled_recipe(Recipe recipe, double scale);
 
 }  // namespace cps

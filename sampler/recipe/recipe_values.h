@@ -51,12 +51,14 @@ inline void parse_value(std::string_view text, CityStyle& value) {
 
 template <typename T>
 void parse_value(std::string_view text, std::vector<T>& values) {
+  constexpr const char* separators = std::is_same_v<T, std::string> ? "," : ", ";  // file names have spaces
   values.clear();
   while (!text.empty()) {
     const std::size_t begin = text.find_first_not_of(", ");
     if (begin == text.npos) break;
-    const std::size_t end = std::min(text.find_first_of(", ", begin), text.size());
-    parse_value(text.substr(begin, end - begin), values.emplace_back());
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    const std::string_view item = text.substr(begin, end - begin);
+    parse_value(item.substr(0, item.find_last_not_of(' ') + 1), values.emplace_back());
     text.remove_prefix(end);
   }
 }

@@ -13,7 +13,7 @@ namespace po = boost::program_options;
 namespace cps {
 namespace {
 
-/// Calls visit(key, member, is_required) for what a camera's section may hold.
+/// Calls visit(key, member, is_required) for each key of a camera's section.
 template <typename Camera, typename Visitor>
 void for_each_camera_key(Camera& camera, Visitor&& visit) {
   visit("forward_m", camera.position_m.x(), true);
@@ -51,8 +51,7 @@ Rig rig_from(const std::vector<po::option>& lines) {
     if (dot == std::string::npos) throw std::runtime_error(line.string_key + ": belongs under a [camera]");
     const std::string name = line.string_key.substr(0, dot), key = line.string_key.substr(dot + 1);
     if (rig.cameras.empty() || rig.cameras.back().name != name) rig.cameras.push_back({.name = name});
-    if (!given.insert(line.string_key).second)
-      throw std::runtime_error(line.string_key + ": stands there twice");
+    if (!given.insert(line.string_key).second) throw std::runtime_error(line.string_key + ": is given twice");
     try {
       set_key(rig.cameras.back(), key, line.value.at(0));
     } catch (const std::runtime_error& error) {
@@ -60,7 +59,7 @@ Rig rig_from(const std::vector<po::option>& lines) {
     }
   }
   for (RigCamera& camera : rig.cameras) require_keys(camera, given);
-  if (std::string why; !rig.is_valid(&why)) throw std::runtime_error(why);
+  if (const std::string fault = rig.fault(); !fault.empty()) throw std::runtime_error(fault);
   return rig;
 }
 
@@ -88,7 +87,8 @@ Rig find_rig(const std::string& named, const std::filesystem::path& recipe_folde
   if (std::filesystem::exists(named)) return read_rig(named);
   const std::filesystem::path beside = recipe_folder / named;
   if (std::filesystem::exists(beside)) return read_rig(beside);
-  throw std::runtime_error("rig = " + named + ": there is no such file, here or beside the recipe");
+  throw std::runtime_error("rig = " + named +
+                           ": there is no such file, neither at that path nor beside the recipe");
 }
 
 std::string to_text(const Rig& rig) {

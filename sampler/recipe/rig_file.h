@@ -11,8 +11,8 @@ namespace cps {
 /// axes (docs/formats.md). Throws std::runtime_error in one line: file, camera and key, fix.
 Rig read_rig(const std::filesystem::path& file);
 
-/// The rig that a recipe's `rig` key names: the file as it stands there, else beside the recipe; none named:
-/// one camera called front. Throws as read_rig does.
+/// The rig that a recipe's `rig` key names: the file at that path, else the one in the recipe's folder; the
+/// default rig (one camera, front) if `named` is empty. Throws as read_rig() does.
 Rig find_rig(const std::string& named, const std::filesystem::path& recipe_folder);
 
 /// The rig of a file's text. Throws std::runtime_error in one line: camera and key, fix.

@@ -38,16 +38,12 @@ namespace cps {
 
 using namespace city;
 
-bool CityOptions::is_valid(std::string* why) const {
-  const auto fail = [&](const char* reason) {
-    if (why) *why = reason;
-    return false;
-  };
-  if (!(extent_m >= 300 && extent_m <= 1200)) return fail("extent_m: choose 300 … 1200 metres");
-  if (!(tree_density >= 0 && tree_density <= 3)) return fail("tree_density: choose 0 … 3");
-  if (!(parked_cars >= 0 && parked_cars <= 2)) return fail("parked_cars: choose 0 … 2");
-  if (!(traffic >= 0 && traffic <= 2)) return fail("traffic: choose 0 … 2");
-  return true;
+std::string CityOptions::fault() const {
+  if (!(extent_m >= 300 && extent_m <= 1200)) return "extent_m: must lie in [300, 1200] metres";
+  if (!(tree_density >= 0 && tree_density <= 3)) return "tree_density: must lie in [0, 3]";
+  if (!(parked_cars >= 0 && parked_cars <= 2)) return "parked_cars: must lie in [0, 2]";
+  if (!(traffic >= 0 && traffic <= 2)) return "traffic: must lie in [0, 2]";
+  return "";
 }
 
 std::string CitySummary::brief() const {
@@ -213,7 +209,7 @@ nlohmann::ordered_json lanes_as_json(const StreetNetwork& network, const std::ve
 }  // namespace
 
 CitySummary write_city(const CityOptions& options, const std::filesystem::path& file) {
-  if (std::string why; !options.is_valid(&why)) throw std::runtime_error("city: " + why);
+  if (const std::string fault = options.fault(); !fault.empty()) throw std::runtime_error("city: " + fault);
   const StreetNetwork network = draw_street_network(options);
   const Terrain terrain = draw_terrain(options);
   const Districts districts = draw_districts(options);

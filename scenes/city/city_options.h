@@ -17,8 +17,8 @@ struct CityOptions {
   double parked_cars = 1;   ///< factor on the density drawn from the seed; 0: none
   double traffic = 1;       ///< factor on the style's share of lanes with traffic; 0: none
 
-  /// Whether a city can be made from these; if not, `why` (may be null) says what to change.
-  bool is_valid(std::string* why) const;
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
 };
 
 }  // namespace cps

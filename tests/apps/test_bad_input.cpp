@@ -25,6 +25,23 @@ TEST_CASE("wrong usage exits 2 with one line") {
     check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
   check_refused("verify", 2, "dataset");
   check_refused("generate --out", 2, "out");
+  check_refused("city --style village -o a.glb", 2, "--style village: ");
+  check_refused("city --traffic 3 -o a.glb", 2, "--traffic: must lie in [0, 2]");
+  check_refused("city --extent-m 9 -o a.glb", 2, "--extent_m: must lie in [300, 1200]");
+  check_refused("city --seed 1", 2, "--out");
+}
+
+TEST_CASE("--threads means the same in every verb: 0 for all cores, nothing below") {
+  const TemporaryFolder temporary;
+  const std::string out = (temporary.path / "out").string();
+  for (const std::string& verb :
+       {"generate --out " + out, "plan --out " + out, "render scene.glb -o " + out + ".png",
+        "distort a.png -o " + out + " --hfov 60 --lens l.json",
+        "undistort a.png -o " + out + " --lens l.json", "relens --kitti k -o " + out}) {
+    check_refused(verb + " --threads -1", 2, "--threads -1: must lie in [0, 4096]");
+    check_refused(verb + " --threads 1.5", 2, "threads");
+    CHECK_THAT(run_cps(verb + " --threads 0").output, !Catch::Contains("threads"));
+  }
 }
 
 TEST_CASE("help is printed for every verb and exits 0") {

@@ -17,8 +17,8 @@ void require_success(const std::string& arguments) {
 
 }  // namespace
 
-// The network has never seen the test split's streets or lenses, so what it knows of them it has learned from
-// how lenses look. About three quarters of an hour.
+// The training split shares neither streets nor lenses with the test split, so the network can only use the
+// appearance of the distortion. Takes about three quarters of an hour on two cores.
 TEST_CASE("on the smoke recipe a network beats the training mean's H-FOV error by a quarter", "[slow]") {
   const cps::TemporaryFolder folder;
   const std::string data = folder.path / "data", model = folder.path / "model";

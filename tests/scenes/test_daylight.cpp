@@ -18,18 +18,15 @@ TEST_CASE("azimuth and elevation give the direction to the sun") {
 }
 
 TEST_CASE("daylight out of range is refused by the field's name") {
-  std::string why;
-  CHECK(Daylight{}.is_valid(&why));
-  CHECK_FALSE(Daylight{.sun_elevation_deg = 95}.is_valid(&why));
-  CHECK(why == "sun_elevation_deg = 95 must be within -6 and 90");
-  CHECK_FALSE(Daylight{.turbidity = std::nan("")}.is_valid(&why));
-  CHECK(why == "turbidity = nan must be within 1.7 and 10");
-  CHECK_FALSE(Daylight{.sun_angular_diameter_deg = -1}.is_valid(nullptr));
-  CHECK_FALSE(Daylight{.sun_elevation_deg = -3, .sky = cps::SkyModel::overcast}.is_valid(&why));
-  CHECK(why == "sun_elevation_deg = -3 must be within 0 and 90");
-  CHECK_FALSE(Daylight{.sky = cps::SkyModel::image}.is_valid(&why));
-  CHECK(why == "sky_image: names no file");
-  CHECK_FALSE(Daylight{.sky_radiance = {1, -1, 1}}.is_valid(&why));
-  CHECK(why == "sky_radiance = -1 must be within 0 and 1e+09");
-  CHECK_FALSE(Daylight{.sun_irradiance_klx = Vector3f(1, NAN, 1)}.is_valid(nullptr));
+  CHECK(Daylight{}.fault() == "");
+  CHECK(Daylight{.sun_elevation_deg = 95}.fault() == "sun_elevation_deg = 95 must be within -6 and 90");
+  CHECK(Daylight{.turbidity = std::nan("")}.fault() == "turbidity = nan must be within 1.7 and 10");
+  CHECK(Daylight{.sun_angular_diameter_deg = -1}.fault() ==
+        "sun_angular_diameter_deg = -1 must be within 0.01 and 20");
+  CHECK(Daylight{.sun_elevation_deg = -3, .sky = cps::SkyModel::overcast}.fault() ==
+        "sun_elevation_deg = -3 must be within 0 and 90");
+  CHECK(Daylight{.sky = cps::SkyModel::image}.fault() == "sky_image: names no file");
+  CHECK(Daylight{.sky_radiance = {1, -1, 1}}.fault() == "sky_radiance = -1 must be within 0 and 1e+09");
+  CHECK(Daylight{.sun_irradiance_klx = Vector3f(1, NAN, 1)}.fault() ==
+        "sun_irradiance_klx = nan must be within 0 and 1e+09");
 }

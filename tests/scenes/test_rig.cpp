@@ -76,23 +76,18 @@ TEST_CASE("positive pitch raises the nose, positive roll lowers the right side")
 }
 
 TEST_CASE("a rig without cameras or with a repeated camera name is refused") {
-  std::string why;
-  CHECK(cps::Rig{}.is_valid(&why));
-  CHECK_FALSE(cps::Rig{.cameras = {}}.is_valid(&why));
-  CHECK(why == "has no camera");
-  CHECK_FALSE(cps::Rig{.cameras = {{.name = "a"}, {.name = "b"}, {.name = "a"}}}.is_valid(&why));
-  CHECK(why == "a: is the name of two cameras");
-  CHECK_FALSE(cps::Rig{.cameras = {{.name = "a", .pitch_deg = 91}}}.is_valid(&why));
-  CHECK(why == "a: pitch_deg must be within -90 and 90");
+  CHECK(cps::Rig{}.fault() == "");
+  CHECK(cps::Rig{.cameras = {}}.fault() == "has no camera");
+  CHECK(cps::Rig{.cameras = {{.name = "a"}, {.name = "b"}, {.name = "a"}}}.fault() ==
+        "a: is the name of two cameras");
+  CHECK(cps::Rig{.cameras = {{.name = "a", .pitch_deg = 91}}}.fault() ==
+        "a: pitch_deg must be within -90 and 90");
 }
 
 TEST_CASE("an invalid rig camera is refused by the field's name") {
-  std::string why;
-  CHECK(RigCamera{}.is_valid(&why));
-  CHECK_FALSE(RigCamera{.name = "../x"}.is_valid(&why));
-  CHECK(why == "name = \"../x\" must be 1 to 64 letters, digits, - or _");
-  CHECK_FALSE(RigCamera{.position_m = {0, std::nan(""), 0}}.is_valid(&why));
-  CHECK(why == "position_m must lie within 50 m of the car's origin");
-  CHECK_FALSE(RigCamera{.pitch_deg = 91}.is_valid(&why));
-  CHECK(why == "pitch_deg must be within -90 and 90");
+  CHECK(RigCamera{}.fault() == "");
+  CHECK(RigCamera{.name = "../x"}.fault() == "name = \"../x\" must be 1 to 64 letters, digits, - or _");
+  CHECK(RigCamera{.position_m = {0, std::nan(""), 0}}.fault() ==
+        "position_m must lie within 50 m of the car's origin");
+  CHECK(RigCamera{.pitch_deg = 91}.fault() == "pitch_deg must be within -90 and 90");
 }

@@ -44,14 +44,15 @@ LensfunProfile read_profile(const pugi::xml_node& lens, const pugi::xml_node& ro
   return profile;
 }
 
-/// Where the profile shows an undistorted radius, both in half short sides, the paraxial scale taken out.
+/// The radius at which the profile shows an undistorted radius, both in half short sides, without the
+/// paraxial scale.
 double seen_at(const LensfunProfile& profile, double radius) {
   const auto& p = profile.polynomial;
   const double u = radius / p[0];
   return radius * (1 + u * (p[1] + u * (p[2] + u * (p[3] + u * p[4]))) / p[0]);
 }
 
-/// The undistorted radius that is seen in the frame's corner; empty if the profile folds before.
+/// The undistorted radius that is seen in the frame's corner; empty if the profile folds before it.
 std::optional<double> corner_radius(const LensfunProfile& profile) {
   const double corner = std::hypot(1, profile.aspect), step = corner / 512;
   double radius = 0;

@@ -8,7 +8,7 @@
 #include "distortion/brown_conrady.h"
 
 /// The distortion profiles of the Lensfun database (https://lensfun.github.io, data under CC BY-SA 3.0), read
-/// from where Debian's liblensfun-data-v1 puts it. Only what is fitted to them is ours to ship.
+/// from the folder of Debian's liblensfun-data-v1. This project ships only numbers fitted to them.
 namespace cps {
 
 /// One measured setting of one lens, in the database's terms (version 1): with half the frame's short side as
@@ -23,13 +23,13 @@ struct LensfunProfile {
 /// naming the file that cannot be read, and when there is none.
 std::vector<LensfunProfile> read_lensfun(const std::filesystem::path& folder);
 
-/// A profile as our lens. The focal length is taken for the paraxial one.
+/// A profile as Brown–Conrady lens. The profile's focal length is taken as the paraxial one.
 struct ConvertedProfile {
   Distortion lens;              ///< in units of the half diagonal of its base's frame
   double largest_residual = 0;  ///< of the least-squares fit of k1 k2 k3, in that unit
 };
 
-/// Empty where the profile folds inside its frame, or is outside what CertificateOptions{} allow.
+/// Empty if the profile folds inside its frame, or exceeds the limits of CertificateOptions{}.
 std::optional<ConvertedProfile> converted(const LensfunProfile& profile);
 
 }  // namespace cps

@@ -44,7 +44,8 @@ class GlbWriter {
   int add_variant(int mesh, const std::string& name, MaterialId from, MaterialId to);
   void add_node(const std::string& name, int mesh, const Placement& placement = {});
 
-  /// Writes the file by rename and returns its size in bytes. Throws std::runtime_error naming file and cause.
+  /// Writes the file by rename and returns its size in bytes. Throws std::runtime_error naming file and
+  /// cause.
   std::size_t write(const std::filesystem::path& file, const nlohmann::ordered_json& scene_extras) const;
 
   std::size_t stored_triangles() const { return triangles; }

@@ -36,9 +36,9 @@ TEST_CASE("pictures of another size are refused, or their calibration is scaled"
   const std::string common = "undistort " + in.string() + " -o " + out.string() + " --lens " + lens.string();
   CHECK(run_cps(common).exit_status == 1);
   run_well(common + " --rescale --keep camera");
-  const Pinhole scaled = label(folder.path / "b_calibration.json").camera;
-  CHECK(scaled.fx == barrel.camera.fx / 2);
-  CHECK(scaled.cx == (barrel.camera.cx + 0.5) / 2 - 0.5);
+  const Pinhole scaled = label(folder.path / "b_calibration.json").pinhole;
+  CHECK(scaled.fx == barrel.pinhole.fx / 2);
+  CHECK(scaled.cx == (barrel.pinhole.cx + 0.5) / 2 - 0.5);
 }
 
 TEST_CASE("distort and undistort refuse wrong usage and impossible things in one line") {
@@ -48,7 +48,7 @@ TEST_CASE("distort and undistort refuse wrong usage and impossible things in one
   const std::string files = in.string() + " -o " + (folder.path / "b.png").string();
   const std::string with_lens = files + " --lens " + lens.string();
   check_refused("undistort " + files, 2, "--lens");
-  check_refused("undistort " + in.string(), 2, "output");
+  check_refused("undistort " + in.string(), 2, "--out");
   check_refused("undistort " + with_lens + " --keep most", 2, "valid, all, camera");
   check_refused("undistort " + with_lens + " --keep all --hfov 60", 2, "--keep or --hfov");
   check_refused("undistort " + with_lens + " --hfov 190", 2, "--hfov");
@@ -57,9 +57,9 @@ TEST_CASE("distort and undistort refuse wrong usage and impossible things in one
   check_refused("undistort " + with_lens + " --label-format tum", 2, "opencv-yaml");
   check_refused("undistort " + with_lens + " --size big", 2, "--size big");
   check_refused("distort " + with_lens, 2, "--hfov DEG or --source");
-  check_refused("distort " + with_lens + " --hfov 60 --draw sequential", 2, "--lens FILE or --draw");
+  check_refused("distort " + with_lens + " --hfov 60 --draw sequential", 2, "--lens FILE or --lens_draw");
   check_refused("distort " + with_lens + " --source " + lens.string(), 1, "straighten the input first");
-  check_refused("distort " + files + " --hfov 60 --draw guess", 2, "--draw guess");
+  check_refused("distort " + files + " --hfov 60 --draw guess", 2, "--lens_draw guess");
   check_refused("undistort /nonexistent -o b --lens " + lens.string(), 1, "/nonexistent");
   check_refused("undistort " + in.string() + " -o " + in.string() + " --lens " + lens.string(), 1,
                 "is the input");

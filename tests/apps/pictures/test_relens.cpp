@@ -23,11 +23,11 @@ Eigen::Vector2d ideal_of(const Pinhole& camera, const Distortion& lens, const Fr
 TEST_CASE("every pixel of a relensed picture shows the ray that its label says") {
   const TemporaryFolder folder;
   const fs::path lens = write_barrel(folder.path), out = folder.path / "set";
-  const FrameCertificate seen = certify_frame(barrel.distortion, barrel.camera, one_to_one);
+  const FrameCertificate seen = certify_frame(barrel.distortion, barrel.pinhole, one_to_one);
   for (int i = 0; i < 2; ++i)
     write_image(
         folder.path / "photos" / (std::to_string(i) + ".png"), 160, 100, 1, OIIO::TypeUInt16,
-        [&](int x, int y, int) { return value_of(ideal_of(barrel.camera, barrel.distortion, seen, x, y)); });
+        [&](int x, int y, int) { return value_of(ideal_of(barrel.pinhole, barrel.distortion, seen, x, y)); });
   run_well("relens --pictures " + (folder.path / "photos").string() + " --lens " + lens.string() + " -o " +
            out.string() + " --lenses 4 --seed 2");
   const ProgramRun verified = run_cps("verify " + out.string());
@@ -48,8 +48,8 @@ TEST_CASE("every pixel of a relensed picture shows the ray that its label says")
     for (int y = 0; y < 50; ++y)
       for (int x = 0; x < 80; ++x) {
         const double expected = value_of(ideal_of(label.camera, label.distortion, frame, x, y));
-        // A pixel of the output is 2/fx of the value. Filtering is done on linear light, which bends a ramp a
-        // little, and twice.
+        // One output pixel is a step of 2/fx. The tolerance allows for two filterings of a ramp in linear
+        // light.
         worst_px =
             std::max(worst_px, std::abs(pixels.getchannel(x, y, 0, 0) - expected) * 2 * label.camera.fx);
       }

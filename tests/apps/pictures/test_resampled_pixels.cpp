@@ -23,7 +23,7 @@ TEST_CASE("integers are filtered as light: the mean of a checkerboard stays") {
                       std::vector<CalibratedCamera>{{"", {161, 101, 100, 100, 80, 50}, {}}});
     CHECK(mean("", linear) == Approx(0.5).margin(0.005));
     CHECK(mean("--encoding linear", [](double value) { return value; }) == Approx(0.5).margin(0.005));
-    CHECK(mean("--encoding linear", linear) < 0.3);  // so the first check could fail
+    CHECK(mean("--encoding linear", linear) < 0.3);  // shows that the first check can fail
   }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("ids stay ids and depth is not mixed with nothing") {
       const int id = *static_cast<const std::uint16_t*>(found.pixeladdr(x, y));
       REQUIRE(((id - 1) % 1000 % 7 == 0 && (id - 1) % 1000 / 7 < 20 && (id - 1) / 1000 < 32));
     }
-  // A wall at 2000 mm; left of it nothing was measured.
+  // A wall at 2000 mm; 0, not measured, left of it.
   write_image(depth, 320, 200, 1, OIIO::TypeUInt16,
               [](int x, int, int) { return x < 160 ? 0 : 2000 / 65535.0; });
   run_well("distort " + depth.string() + " -o " + out.string() + " --hfov 80 --resampling depth --lens " +

@@ -10,8 +10,8 @@ using namespace cps;
 TEST_CASE("undistort --keep camera has the geometry of OpenCV's initUndistortRectifyMap") {
   const TemporaryFolder folder;
   const fs::path lens = write_barrel(folder.path), in = folder.path / "a.exr", out = folder.path / "b.exr";
-  // Each pixel says where it is; the mean of a ramp is the position that the kernel is centred on, but for
-  // its ripple.
+  // The value of each pixel is its position, so that filtering returns the centre of the kernel, up to its
+  // ripple.
   write_image(in, 160, 100, 3, OIIO::TypeFloat, [](int x, int y, int c) {
     return c == 0 ? x : c == 1 ? y : 1;
   });

@@ -52,8 +52,8 @@ TEST_CASE("a third-order profile is k1 alone, in closed form") {
     REQUIRE(found);
     // An undistorted radius R (paraxial scale 1) is seen at R + κ R³.
     const double kappa = k / std::pow(1 - k, 3);
-    // Barrel pulls the corner most: the base's corner is seen in the photograph's. Pincushion pushes the
-    // middle of the short sides outwards least: there base and photograph meet.
+    // Barrel distortion moves the corners most, so base and photograph share their corners. Pincushion
+    // distortion moves the middles of the short sides least, so they share those.
     const double reach = k < 0 ? std::hypot(1, 1.5) : 1;
     double radius = reach;
     for (int i = 0; i < 200; ++i) radius = reach / (1 + kappa * radius * radius);

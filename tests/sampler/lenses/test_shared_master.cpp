@@ -9,7 +9,7 @@ using namespace cps;
 
 namespace {
 
-/// A smooth picture: what the ideal point (x, y) shows.
+/// A smooth picture: the value at the ideal point (x, y).
 double shown(const Eigen::Vector2d& ideal) {
   return 1 + 0.3 * ideal.x() - 0.2 * ideal.y() + 0.05 * ideal.x() * ideal.y();
 }
@@ -58,5 +58,5 @@ TEST_CASE("every lens of a label-first view finds its pixels in the one master, 
           REQUIRE(shared.getchannel(x, y, 0, 0) == Approx(own.getchannel(x, y, 0, 0)).margin(2e-4));
     }
   }
-  CHECK(oversampled > 0);  // some view did need more than twice
+  CHECK(oversampled > 0);  // some view needs more than twofold
 }

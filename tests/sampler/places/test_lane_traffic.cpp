@@ -30,7 +30,7 @@ TEST_CASE("a car keeps 1 m behind it and 4 m before it free of vehicles on the l
   CHECK_FALSE(is_clear(42, 1.5));   // changing lanes
   CHECK(is_clear(42, 3));           // in the next lane
   CHECK(is_clear(33, 0, 0.6));      // turning off before it
-  CHECK_FALSE(is_clear(38, 0, 3));  // 3.1 m behind what has turned round
+  CHECK_FALSE(is_clear(38, 0, 3));  // turned round, 3.1 m behind it
   CHECK(is_clear_of(traffic_on(std::vector<Lane>(1)), Place{}));
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("no drawn place lies in traffic, and what is passed over is no rejecti
     const bool eastwards = std::cos(drawn.place.heading_rad) > 0;
     ++by_lane[eastwards];
     const double s = eastwards ? drawn.place.position.x() + 150 : 150 - drawn.place.position.x();
-    const double behind = std::fmod(s, 30);  // of a vehicle's rear; its front is at 12
+    const double behind = std::fmod(s, 30);  // distance from a vehicle's rear; its front is at 12
     // Stretches of 30 − 12 − 9.8 m remain; a slight turn may move the bumpers by centimetres.
     if (s < 290 && (behind < 12 + 2.1 - 0.2 || behind > 30 - 7.7 + 0.2) && s > 2.1)
       FAIL_CHECK("a place " << behind << " m behind a vehicle's rear");

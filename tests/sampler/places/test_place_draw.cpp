@@ -57,11 +57,11 @@ TEST_CASE("a turn into another part's street is driven to its middle, so no plac
     CHECK(usable[lane].from_m == Approx(from_m).margin(1e-9));
     CHECK(usable[lane].to_m == Approx(to_m));
   };
-  check(0, 3, 50);  // begins blind, goes on
+  check(0, 3, 50);  // starts without a link
   check(1, 0, 12);  // straight on, the same street
   check(2, 0, 5);   // 10 m long, into B
-  check(3, 0, 25);  // ends blind
-  check(4, 0, 84);  // a street that becomes another
+  check(3, 0, 25);  // ends without a link
+  check(4, 0, 84);  // leads into another street
   check(5, 0, 27);
   const std::vector<Part> shared(lanes.size(), Part::all);
   CHECK(usable_stretches(lanes, shared)[2].to_m == Approx(10));

@@ -18,7 +18,7 @@ Recipe straight_recipe() {
   return recipe;
 }
 
-/// Where along all usable lanes (0 … 1) a place lies.
+/// Position of a place along all usable lanes, 0 … 1.
 double share_along(const DrivableScene& scene, const Place& place) {
   double before = 0, total = 0, at = -1;
   for (const Route& route : scene.routes)
@@ -107,7 +107,7 @@ TEST_CASE("places share the lanes out: none far from all others, few close toget
     }
     first_places.push_back(dealt[0]);
     const Gaps shared = gaps_of(dealt);
-    CHECK(shared.largest < 2.001);  // two strata that both were drawn at their far ends
+    CHECK(shared.largest < 2.001);  // two neighbours drawn at the far ends of their strata
     if (seed >= 4) continue;
     const Gaps alone = gaps_of(independent);
     CHECK(alone.largest > 3);

@@ -65,7 +65,7 @@ TEST_CASE("each condition of a city is a day with traffic of its own; a city nam
   CHECK(traffic.size() == 6);
   CHECK(days[7] == std::set<std::uint64_t>{0, 1, 2, 3});
   CHECK(days[8] == std::set<std::uint64_t>{0, 1});
-  // A day's traffic belongs to its city, wherever in the recipe that stands.
+  // The traffic of a day depends on the city alone, not on its position in the recipe.
   Recipe alone = recipe;
   alone.city_seeds = {8};
   const auto same = plan_scenes(alone, "");

@@ -47,6 +47,51 @@ TEST_CASE("a recipe file is read, lists and all, and flags override it") {
   CHECK(recipe.lens_options.scheme == LensScheme::shape_prior);
 }
 
+TEST_CASE("keys may be written with - for _, in the file and nowhere else") {
+  const Recipe recipe = recipe_of(
+      "name = a-b_c\nscene = my-city.glb\nsize = 480x270\nbase-hfov-deg = 90\n  views-per_lens = 3\nviews = 10\n");
+  CHECK(recipe.name == "a-b_c");
+  CHECK(recipe.scenes == std::vector<std::string>{"my-city.glb"});
+  CHECK(recipe.base_hfov_deg == std::vector<double>{90});
+  CHECK(recipe.views_per_lens == 3);
+  CHECK_THROWS_WITH(recipe_of("no-such-key = 1\n" + whole), Catch::Contains("no_such_key"));
+}
+
+TEST_CASE("file names may have spaces and any letters, in the file and as options") {
+  const std::vector<std::string> files{"my city.glb", "straße/Käfig 2.gltf", "c.glb"};
+  const Recipe from_file = recipe_of(
+      "scene =  my city.glb , straße/Käfig 2.gltf,c.glb\nrig = our car.rig\nsize = 480x270\nbase_hfov_deg = 90\n"
+      "views = 10\n");
+  CHECK(from_file.scenes == files);
+  CHECK(from_file.rig == "our car.rig");
+  CHECK(recipe_of(to_text(from_file)).scenes == files);
+  const Recipe from_options =
+      recipe_of("size = 480x270 64x64\nbase_hfov_deg = 90\nviews = 10\n",
+                {"--scene", "my city.glb,straße/Käfig 2.gltf, c.glb", "--rig", "our car.rig"});
+  CHECK(from_options.scenes == files);
+  CHECK(from_options.rig == "our car.rig");
+  CHECK(from_options.sizes.size() == 2);  // numbers may be separated by spaces alone
+  for (const std::vector<std::string>& bad :
+       {std::vector<std::string>{"--scene", "a#1.glb"}, {"--rig", "a\nb.rig"}, {"--name", "#1"}})
+    CHECK_THROWS_WITH(recipe_of(whole, bad), Catch::Contains(bad[0].substr(2) + ": ") &&
+                                                 Catch::Contains("must not contain # or a line break"));
+}
+
+TEST_CASE("scenes named on the command line replace the recipe file's scenes and cities") {
+  const std::string file =
+      "scene = a.glb\ncity_seed = 1, 2\ncities = 3\nsize = 480x270\nbase_hfov_deg = 90\nviews = 10\n";
+  const Recipe as_it_stands = recipe_of(file);
+  CHECK(as_it_stands.scenes.size() + as_it_stands.city_seeds.size() + as_it_stands.cities == 6);
+  const Recipe one_scene = recipe_of(file, {"--scene", "b.glb"});
+  CHECK(one_scene.scenes == std::vector<std::string>{"b.glb"});
+  CHECK(one_scene.city_seeds.empty());
+  CHECK(one_scene.cities == 0);
+  const Recipe drawn_cities = recipe_of(file, {"--cities", "5"});
+  CHECK(drawn_cities.scenes.empty());
+  CHECK(drawn_cities.city_seeds.empty());
+  CHECK(drawn_cities.cities == 5);
+}
+
 TEST_CASE("a recipe written out reads back to itself") {
   Recipe recipe = recipe_of(whole);
   recipe.lens_options.bounds.max_displacement = 1.0 / 3.0;

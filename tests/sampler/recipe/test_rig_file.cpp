@@ -40,8 +40,8 @@ TEST_CASE("a rig file that cannot be is refused by file, camera and key") {
       {front + "hight_m = 1\n", "front.hight_m: is none of forward_m, left_m, up_m, yaw_deg"},
       {front + "yaw_deg = left\n", "front.yaw_deg: is not a number"},
       {front + "yaw_deg = nan\n", "front: yaw_deg must be within"},
-      {front + "yaw_deg = 1\nyaw_deg = 2\n", "front.yaw_deg: stands there twice"},
-      {front + "[b]\nforward_m = 1\nleft_m = 0\nup_m = 1\n" + front, "front.forward_m: stands there twice"},
+      {front + "yaw_deg = 1\nyaw_deg = 2\n", "front.yaw_deg: is given twice"},
+      {front + "[b]\nforward_m = 1\nleft_m = 0\nup_m = 1\n" + front, "front.forward_m: is given twice"},
       {"[../x]\nforward_m = 1\nleft_m = 0\nup_m = 1\n", "must be 1 to 64 letters"},
       {front + "up_m\n", "car.rig: "},
   };

@@ -50,9 +50,7 @@ TEST_CASE("every shipped recipe makes as many views and images as it says") {
     const std::string name = entry.path().stem();
     INFO(name);
     REQUIRE(published.contains(name));
-    const std::vector<std::string> scene =
-        name == "demo" ? std::vector<std::string>{"--scene", "a.glb"} : std::vector<std::string>{};
-    const Recipe recipe = shipped(name, scene);
+    const Recipe recipe = shipped(name);
     const RecipeCounts counts = counts_of(recipe);
     CHECK(recipe.name == name);
     CHECK(counts.sets == published.at(name).sets);

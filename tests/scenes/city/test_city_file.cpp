@@ -183,9 +183,7 @@ TEST_CASE("invalid options and unwritable files are refused and leave no file") 
   const fs::path file = folder.path / "city.glb";
   for (const CityOptions& bad : {CityOptions{.extent_m = 20}, CityOptions{.extent_m = std::nan("")},
                                  CityOptions{.tree_density = -1}, CityOptions{.parked_cars = 9}}) {
-    std::string why;
-    CHECK_FALSE(bad.is_valid(&why));
-    CHECK_FALSE(why.empty());
+    CHECK_FALSE(bad.fault().empty());
     CHECK_THROWS_AS(write_city(bad, file), std::runtime_error);
   }
   CHECK_THROWS_AS(write_city({.extent_m = 300}, folder.path / "no" / "such" / "folder" / "city.glb"),

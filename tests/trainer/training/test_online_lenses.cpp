@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "distortion/certificate/certificate.h"
-#include "distortion/warp/master_camera.h"
 #include "distortion/label_algebra.h"
+#include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "files/files.h"
 #include "numbers/angles.h"
