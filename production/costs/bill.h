@@ -15,8 +15,8 @@ struct Bill {
   RecipeCounts counts;
   double render_core_h = 0, images_core_h = 0, scenes_core_h = 0, plan_core_h = 0;
   double core_h = 0;  ///< the sum of these
-  double core_h_error =
-      0;  ///< standard error of core_h: from the spread between conditions, or between views if larger
+  /// Standard error of core_h: from the spread between conditions, or between views if larger.
+  double core_h_error = 0;
   double view_cpu_s_spread = 0;  ///< relative standard deviation of a view's render time within its set
   /// By set, in the plan's order (sizes, and for each its H-FOVs); excludes making scenes and placing cars.
   std::vector<double> set_images_per_core_h = {};

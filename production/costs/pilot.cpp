@@ -60,8 +60,8 @@ Recipe pilot_recipe(Recipe recipe, int conditions) {
   left -= recipe.cities;
   const int scenes = conditions - left;
   recipe.conditions_per_scene = std::min(recipe.conditions_per_scene, (conditions + scenes - 1) / scenes);
-  recipe.views = std::max(
-      3, scenes * recipe.conditions_per_scene);  // one for each condition and for each part of the split
+  // One view for each condition, and at least one for each part of the split.
+  recipe.views = std::max(3, scenes * recipe.conditions_per_scene);
   return recipe;
 }
 
