@@ -29,16 +29,19 @@ po::options_description describe(RelensRequest& r) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("kitti", po::value(&r.kitti), "a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
-  add("pictures", po::value(&r.pictures), "and/or a folder of pictures of one camera");
-  add("lens", po::value(&r.lens), "that camera's calibration, in any format that cps lens check reads");
-  add("camera", po::value(&r.camera), "which of the file's cameras, by name");
-  add("output,o", po::value(&r.output)->required(), "the dataset's folder, made anew");
-  add("lenses", po::value(&r.options.lenses)->default_value(r.options.lenses), "for each camera");
-  add("draw", po::value(&r.scheme)->default_value(r.scheme), "sequential, shape_prior, real_lenses");
-  add("size", po::value(&r.size), "WIDTHxHEIGHT of the output [half the pictures']");
+  add("pictures", po::value(&r.pictures), "a folder of pictures of one camera; may be given beside --kitti");
+  add("lens", po::value(&r.lens),
+      "file with the calibration of the --pictures, in any format that cps lens check reads");
+  add("lens-camera", po::value(&r.camera), "name of the camera in the --lens file, if it holds several");
+  add("out,o", po::value(&r.output)->required(), "folder for the dataset, which must not exist yet");
+  add("lenses", po::value(&r.options.lenses)->default_value(r.options.lenses),
+      "number of lenses for each camera, 1 to 10000");
+  add("lens_draw", po::value(&r.scheme)->default_value(r.scheme),
+      "how lenses are drawn: sequential, shape_prior or real_lenses; cps help lens sample explains them");
+  add("size", po::value(&r.size), "size of the output, WIDTHxHEIGHT in pixels [half the pictures']");
   add("narrowest", po::value(&r.options.narrowest)->default_value(r.options.narrowest),
-      "the crops' H-FOV before their lens, at least, as a share of the widest that fits");
-  add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "of the lenses");
+      "smallest H-FOV of a crop before its lens, as a share of the widest that fits; above 0, at most 1");
+  add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "seed of the lenses");
   add_threads_option(options);
   return options;
 }
@@ -81,22 +84,28 @@ std::string make_images(const CameraPictures& source, const Pinhole& straight,
   return names;
 }
 
+constexpr const char* manual =
+    R"(cps relens: make a test set from real pictures, through many lenses
+
+Usage: cps relens (--kitti FOLDER | --pictures FOLDER --lens CALIBRATION)
+                  -o DATASET [--lenses N] [--lens_draw SCHEME] [--size WxH]
+
+Straightens each picture by its known lens and warps it through drawn, certified
+lenses and their crops, so that real pictures get many exact labels. The result
+is a dataset for cps eval, whose images all belong to the test split.
+
+A lens is drawn again if the pictures are too coarse for it, or do not show
+enough.
+)";
+
 }  // namespace
 
 int cps_relens(const Arguments& arguments) {
   RelensRequest request;
   po::variables_map values;
-  if (!parse_options(arguments,
-                     R"(cps relens (--kitti FOLDER | --pictures FOLDER --lens CALIBRATION) -o DATASET
-Real pictures with many exact labels: each is straightened by its known lens and shown again through drawn,
-certified lenses and their crops. What comes out is a dataset whose images are all `test`: for cps eval.
-
-A lens and crop for which the pictures are too coarse, or do not reach far enough, is drawn again.
-)",
-                     describe(request), {}, values))
-    return 0;
+  if (!parse_options(arguments, manual, describe(request), {}, values)) return 0;
   po::notify(values);
-  request.options.lens.scheme = flag_value<LensScheme>("draw", request.scheme);
+  request.options.lens.scheme = flag_value<LensScheme>("lens_draw", request.scheme);
   if (!request.size.empty()) request.options.size = flag_value<ImageSize>("size", request.size);
   if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   if (fs::exists(request.output)) throw std::runtime_error(request.output + ": exists; name a new folder");

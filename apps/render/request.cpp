@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "apps/options.h"
 #include "apps/threads.h"
 
 namespace po = boost::program_options;
@@ -12,6 +13,10 @@ namespace {
 template <class T>
 po::typed_value<T>* optional(std::optional<T>& target) {
   return po::value<T>()->notifier([&target](const T& value) { target = value; });
+}
+
+po::typed_value<std::string>* optional(std::optional<std::filesystem::path>& target) {
+  return po::value<std::string>()->notifier([&target](const std::string& value) { target = value; });
 }
 
 template <class T>
@@ -51,7 +56,7 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
 }
 
 void describe_output(RenderRequest& request, po::options_description_easy_init add) {
-  add("output,o", po::value(&request.output), "file to write: .png (8-bit sRGB) or .exr (linear, kcd/m2)");
+  add("out,o", path_value(request.output), "file to write: .png (8-bit sRGB) or .exr (linear, kcd/m2)");
   add("exposure", optional(request.exposure_ev),
       "exposure of a .png, stops: its value is radiance (kcd/m2) times 2^EV [metered on the picture]");
   add("aov", optional(request.aov),
@@ -73,12 +78,12 @@ PixelFilter filter_from_string(const std::string& name) {
 void check_output(const RenderRequest& request) {
   if (request.output.empty()) {
     if (request.replay || request.reference) return;
-    throw po::error("--output: is missing; name a .png or .exr");
+    throw po::error("--out: is missing; name a .png or .exr");
   }
   const std::string kind = request.output.extension().string();
   if (kind != ".png" && kind != ".exr")
-    throw po::error("--output " + request.output.string() + ": must end in .png or .exr");
-  if (request.aov && kind != ".exr") throw po::error("--aov: needs an .exr as --output");
+    throw po::error("--out " + request.output.string() + ": must end in .png or .exr");
+  if (request.aov && kind != ".exr") throw po::error("--aov: needs an .exr as --out");
 }
 
 void check_lens(const RenderRequest& request) {
@@ -96,7 +101,7 @@ void check_lens(const RenderRequest& request) {
 po::options_description describe(RenderRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("scene", po::value(&request.scene)->required(), "the scene: a .glb or .gltf file");
+  add("scene", path_value(request.scene)->required(), "the scene: a .glb or .gltf file");
   describe_output(request, add);
   describe_camera(request, add);
   describe_light(request.light, add);

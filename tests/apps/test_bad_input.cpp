@@ -89,6 +89,31 @@ TEST_CASE("a bad recipe is refused before any work, in one line with key and ran
   }
 }
 
+TEST_CASE("file names may have spaces and any letters, from the options to the job that verify reads") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path / "mein Ordner ä";
+  fs::create_directories(folder);
+  const fs::path scene = write_street_gltf(folder);
+  const auto quoted = [](const fs::path& path) { return "'" + path.string() + "'"; };
+  for (const char* name : {"a b.png", "straße 2.exr"}) {
+    const ProgramRun run =
+        run_cps("render " + quoted(scene) + " --size 16x16 --samples 1 --output " + quoted(folder / name));
+    INFO(run.output);
+    CHECK(run.exit_status == 0);
+    CHECK(fs::exists(folder / name));
+  }
+  const ProgramRun made = run_cps("generate --scene " + quoted(scene) +
+                                  " --size 80x45 --base-hfov-deg=60 --views 3"
+                                  " --samples 2 -o " +
+                                  quoted(folder / "data set"));
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  const ProgramRun verified = run_cps("verify " + quoted(folder / "data set"));
+  INFO(verified.output);
+  CHECK(verified.exit_status == 0);
+  CHECK_THAT(verified.output, !Catch::Contains("not planned again"));
+}
+
 TEST_CASE("missing, broken and unwritable things exit 1 with one line and leave no file") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "out";

@@ -107,7 +107,7 @@ TEST_CASE("render refuses lenses, cameras and layers that make no sense, in one 
   check_refused("render " + scene + out + " --aov depth,colour", 2, "colour");
   check_refused("render " + scene + out + " --filter wide", 2, "--filter wide");
   check_refused("render " + scene + " --aov all -o " + (folder / "a.png").string(), 2, "--aov");
-  check_refused("render " + scene, 2, "--output");
+  check_refused("render " + scene, 2, "--out: is missing");
   check_refused("render " + scene + out + " --sun-irradiance bright", 2, "--sun-irradiance bright");
   check_refused("render " + scene + out + " --sky /nonexistent.hdr", 1, "/nonexistent.hdr");
   check_refused("render " + scene + out + " --memory 1e-5", 1, "is longer than");
