@@ -20,7 +20,7 @@ CityStyle city_style_from(const std::string& name) {
   if (found != names.end()) return static_cast<CityStyle>(found - names.begin());
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-  throw std::runtime_error("city style: " + name + " is none; choose one of " + list);
+  throw std::runtime_error("is none of " + list);
 }
 
 }  // namespace cps

@@ -117,7 +117,7 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"samples = many", "samples = many: is not a whole number"},
       {"samples = 0", "samples: must be even, in [2, 65536]"},
       {"samples = 3", "samples: must be even, in [2, 65536]"},
-      {"city_style = village", "city_style = village: city style: village is none; choose one of european"},
+      {"city_style = village", "city_style = village: is none of european, downtown"},
       {"lenses = 3.5", "lenses"},
       {"lenses = -1", "lenses: must lie in"},
       {"seed = -1", "seed"},
