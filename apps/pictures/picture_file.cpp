@@ -16,7 +16,7 @@ namespace cps {
 namespace {
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
-  // OpenImageIO's messages may run over lines.
+  // Messages of OpenImageIO may have several lines.
   std::string line = what.substr(0, what.find('\n'));
   throw std::runtime_error(file.string() + ": " + line);
 }
@@ -123,8 +123,8 @@ void write_picture(const fs::path& file, const OIIO::ImageBuf& pixels, const Pic
   spec.alpha_channel = source.file.alpha_channel;
   spec.z_channel = source.file.z_channel;
   spec.extra_attribs = source.file.extra_attribs;
-  // Fast deflate: a third more bytes than the best for a tenth of the time. Formats ignore what is not
-  // theirs.
+  // Fast deflate: a third more bytes than the best level in a tenth of the time. Other formats ignore both
+  // attributes.
   spec.attribute("png:compressionLevel", 1);
   spec.attribute("png:filter", 32);  // PNG_FILTER_UP
   const auto output = OIIO::ImageOutput::create(file.string());
