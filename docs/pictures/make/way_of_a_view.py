@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Makes docs/pictures/way_of_a_view.jpg: one view as master, through its lens, with its crop, and as an image.
 
-    docs/pictures/make/way_of_a_view.py build/release/bin/cps docs/pictures/way_of_a_view.jpg
+    docs/pictures/make/way_of_a_view.py build/release/bin/cps docs/pictures/city_view.jpg docs/pictures/way_of_a_view.jpg
 
-Needs Debian's python3-numpy and python3-pil. Takes two CPU minutes, nearly all of them rendering.
+The first picture is the master: a view that `cps render` made without a lens at 1392x512 and 70 degrees, such as
+out/demo/view.png of `./dev demo`. Needs Debian's python3-numpy and python3-pil. Takes seconds.
 Panels 1 and 4 are the program's output. It never makes what panels 2 and 3 show, a distorted picture with its
 black border: this script draws that by moving every master pixel to where the lens puts it.
 """
@@ -17,8 +18,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-WIDTH, HEIGHT = 640, 360  # of the image; the master has twice as many pixels a side
-BASE_HFOV_DEG = 100.0
+WIDTH, HEIGHT = 696, 256  # of the image; the master has twice as many pixels a side
+BASE_HFOV_DEG = 70.0
 SCALED = dict(k1=-0.372, k2=0.203, k3=-0.071)  # KITTI's camera 00, in units of its master's half diagonal
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
@@ -80,19 +81,18 @@ def sheet(panels):
     return out
 
 
-def main(cps, target):
+def main(cps, view, target):
     lens, focal = lens_of_base()
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         run = lambda *words: subprocess.run([cps, *map(str, words)], check=True, stdout=subprocess.DEVNULL)
-        run("city", "--seed", 1, "-o", folder / "city.glb")
-        run("render", folder / "city.glb", "-o", folder / "master.png", "--size", f"{2 * WIDTH}x{2 * HEIGHT}",
-            "--hfov", BASE_HFOV_DEG, "--samples", 32)
+        master = Image.open(view).convert("RGB")
+        master.save(folder / "master.png")
         write_calibration(folder / "lens.json", lens, focal)
         run("distort", folder / "master.png", "-o", folder / "image.png", "--hfov", BASE_HFOV_DEG,
             "--lens", folder / "lens.json", "--label", folder / "label.json")
         label = json.loads((folder / "label.json").read_text())
-        master, image = Image.open(folder / "master.png").convert("RGB"), Image.open(folder / "image.png").convert("RGB")
+        image = Image.open(folder / "image.png").convert("RGB")
         zoom = label["K"][0][0] / focal
         seen = with_black_border(master, lens, focal)
         fov = 2 * math.degrees(math.atan(WIDTH / 2 / label["K"][0][0]))
@@ -105,4 +105,4 @@ def main(cps, target):
         out.save(target, quality=88)
 
 
-main(sys.argv[1], sys.argv[2])
+main(*sys.argv[1:])
