@@ -25,7 +25,7 @@ constexpr std::array<Writer, 8> writers{{{CalibrationFormat::cps, "cps", write_c
                                          {CalibrationFormat::kalibr, "kalibr", write_kalibr},
                                          {CalibrationFormat::nerfstudio, "nerfstudio", write_nerfstudio}}};
 
-/// A camera that no lens and no sensor can be, whatever the format.
+/// Refuses numbers that no real camera has, whatever the format.
 void check_plausible(const CalibratedCamera& calibrated, const std::string& where) {
   constexpr int largest_side = 100'000;
   const auto& [width, height, fx, fy, cx, cy] = calibrated.pinhole;
@@ -65,7 +65,7 @@ Cameras read_any(const std::string& text, const std::string& file, const std::st
   if (text.find("K_0") != std::string::npos) return read_kitti(text, file);
   if (file.ends_with(".txt")) return read_colmap(text, file);
   const nlohmann::json json = json_from_yaml(text, file);
-  if (!json.is_object()) throw std::runtime_error(file + ": is no calibration that cps knows");
+  if (!json.is_object()) throw std::runtime_error(file + ": is no calibration format that cps knows");
   return read_keys({json, file}, name);
 }
 

@@ -6,17 +6,17 @@
 #include "distortion/calibrated_camera.h"
 #include "files/json_keys.h"
 
-/// The keys of calibration.json that describe the camera. Published CPS readers know these and no others.
+/// The keys of calibration.json that describe the camera. Published readers of CPS datasets know only these.
 namespace cps {
 
-/// fov K width height k1 k2 k3 p1 p2 cx cy.
+/// The keys fov K width height k1 k2 k3 p1 p2 cx cy.
 nlohmann::ordered_json camera_json(const Pinhole& camera, const Distortion& lens);
 
 /// A pose as the rows of its 4×4 matrix.
 nlohmann::ordered_json rows_json(const Eigen::Isometry3d& pose);
 
-/// From K, width, height and the coefficients; fov, cx and cy say nothing more and may be missing. Throws
-/// like JsonKeys.
+/// The camera from K, width, height and the coefficients. fov, cx and cy follow from them and may be missing.
+/// Throws as JsonKeys does.
 CalibratedCamera camera_from_json(const JsonKeys& keys);
 
 }  // namespace cps

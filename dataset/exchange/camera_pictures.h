@@ -7,19 +7,20 @@
 
 namespace cps {
 
-/// A known camera and pictures that it took.
+/// A calibrated camera and pictures that it took.
 struct CameraPictures {
   CalibratedCamera camera;
   std::vector<std::filesystem::path> files;
 };
 
-/// KITTI raw data, not rectified: the frames of image_00 … image_03 of every drive below a folder (a date, or
-/// one of several), with the calibration in calib_cam_to_cam.txt of the date; an entry per date and camera
-/// that has frames. Throws std::runtime_error in one line when there is no such file or there are no frames.
+/// KITTI raw data, unrectified: the frames of image_00 … image_03 of every drive, with the calibration in the
+/// date's calib_cam_to_cam.txt. `folder` is a date's folder or one that holds several. One entry for each
+/// date and camera that has frames. Throws std::runtime_error with one line when there is no calibration or
+/// no frame.
 std::vector<CameraPictures> kitti_raw(const std::filesystem::path& folder);
 
-/// The pictures in a folder (not below it), in the order of their names. Throws std::runtime_error when it
-/// is no folder or there are none.
+/// The pictures in a folder (not below it), sorted by name. Throws std::runtime_error when it is no folder or
+/// holds none.
 std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& folder);
 
 }  // namespace cps

@@ -75,7 +75,7 @@ Cameras read_colmap(const std::string& text, const std::string& file) {
 }
 
 std::string write_colmap(CameraSpan cameras) {
-  // COLMAP wants whole numbers as ids.
+  // COLMAP requires whole numbers as camera ids.
   const bool keep_names =
       std::all_of(cameras.begin(), cameras.end(), [](const auto& camera) { return is_id(camera.name); });
   std::string text = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";

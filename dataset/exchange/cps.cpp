@@ -1,8 +1,8 @@
 #include "dataset/exchange/camera_json.h"
 #include "dataset/exchange/formats.h"
 
-/// Our own calibration.json, of which only the keys that describe the camera are read: published CPS datasets
-/// have no others.
+/// This project's calibration.json. Only the keys that describe the camera are read, as published CPS
+/// datasets have no others.
 namespace cps {
 
 Cameras read_cps(const JsonKeys& root, const std::string& name) {

@@ -7,8 +7,9 @@
 #include "distortion/calibrated_camera.h"
 #include "files/json_keys.h"
 
-/// The formats of calibration_file.h, one source file each. The text of every format but the line-based ones
-/// is first made into JSON (markup.h), so all of them are checked by JsonKeys. `file` is for messages.
+/// Readers and writers of the formats in calibration_file.h, one source file each. YAML and XML are first
+/// converted to JSON (markup.h), so JsonKeys checks them all; COLMAP and KITTI are read line by line. `file`
+/// is for error messages.
 namespace cps {
 
 using Cameras = std::vector<CalibratedCamera>;
@@ -36,22 +37,23 @@ std::string write_colmap(CameraSpan cameras);
 Cameras read_kitti(const std::string& text, const std::string& file);
 std::string write_kitti(CameraSpan cameras);
 
-/// Coefficients in the order of OpenCV's vector, k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y, of which
-/// `values` may be a prefix. Throws std::runtime_error `<where>: <name>: …` for a non-zero one after k3.
+/// Coefficients from the order of OpenCV's vector, k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tau_x tau_y; `values`
+/// may hold only the first ones. Throws std::runtime_error `<where>: <name>: …` for a non-zero one after k3.
 Distortion from_opencv_order(std::span<const double> values, const std::string& where);
 std::vector<double> in_opencv_order(const Distortion& lens);
 
-/// fx, fy, cx, cy of a row-major 3 × 3 matrix; throws `<where>: …` unless it is [fx 0 cx; 0 fy cy; 0 0 1].
+/// The camera of a row-major 3 × 3 matrix; throws std::runtime_error `<where>: …` unless it is
+/// [fx 0 cx; 0 fy cy; 0 0 1].
 Pinhole pinhole_from_k(std::span<const double> k, int width, int height, const std::string& where);
 
 /// The shortest decimal that reads back to the same bits, always with a point or an exponent.
 std::string decimal(double value);
-/// Separated by `separator`.
+/// The same of several numbers, with `separator` between them.
 std::string decimals(std::span<const double> values, const std::string& separator);
 /// The row-major 3 × 3 matrix of a camera.
 std::vector<double> k_matrix(const Pinhole& camera);
 
-/// The only camera, for formats that hold one; throws std::runtime_error if there are more.
+/// The only camera, for formats that hold one. Throws std::runtime_error unless there is exactly one.
 const CalibratedCamera& only_camera(CameraSpan cameras);
 
 }  // namespace cps

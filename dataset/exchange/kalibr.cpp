@@ -43,7 +43,7 @@ std::string write_kalibr(CameraSpan cameras) {
     const Distortion& lens = camera.distortion;
     if (lens.k3 != 0)
       throw std::runtime_error(camera.name + ": k3 is not 0, which Kalibr's radtan has no place for");
-    // Kalibr looks for cam0, cam1, …
+    // Kalibr requires these names.
     text += fmt::format("cam{}:\n  camera_model: pinhole\n  distortion_coeffs: [{}]\n", index++,
                         decimals(std::vector{lens.k1, lens.k2, lens.p1, lens.p2}, ", "));
     text += fmt::format("  distortion_model: radtan\n  intrinsics: [{}]\n  resolution: [{}, {}]\n",

@@ -1,7 +1,7 @@
 #include "dataset/exchange/formats.h"
 
-/// Nerfstudio's transforms.json, cameras only. Intrinsics stand at the top, or in each frame, where they
-/// override the top's. The centre of the top-left pixel is (.5, .5).
+/// Nerfstudio's transforms.json, cameras only. Intrinsics stand at the top level, or in a frame, where they
+/// override those of the top level. The centre of the top-left pixel is (.5, .5).
 namespace cps {
 namespace {
 

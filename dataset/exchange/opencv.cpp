@@ -2,7 +2,7 @@
 
 #include "dataset/exchange/formats.h"
 
-/// What OpenCV's calibration sample writes through cv::FileStorage, YAML or XML.
+/// The file of OpenCV's calibration sample, as cv::FileStorage writes it: YAML or XML.
 namespace cps {
 namespace {
 

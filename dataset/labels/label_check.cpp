@@ -54,8 +54,8 @@ double roundtrip_px(const Label& label, const Eigen::AlignedBox2d& master) {
 
 LabelCheck check_label(const Label& label) {
   LabelCheck check;
-  const auto fault = [&](bool is_fault, std::string what) {
-    if (is_fault) check.faults.push_back(std::move(what));
+  const auto fault = [&](bool is_fault, const std::string& what) {
+    if (is_fault) check.faults.push_back(what);
   };
   const Pinhole base = base_of(label);
   const Eigen::AlignedBox2d master = frame_on_plane(base);
