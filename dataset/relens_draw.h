@@ -15,7 +15,7 @@ struct RelensOptions {
   ImageSize size{0, 0};    ///< of the output; 0: half the picture's, rounded down
   double narrowest = 0.5;  ///< smallest base H-FOV, as a share of the widest that fits into the picture
   std::uint64_t seed = 0;
-  LensOptions lens;
+  LensOptions lens = {};
   /// Empty if the options are usable; otherwise one line that names the field and the fix.
   std::string fault() const;
 };
