@@ -7,7 +7,7 @@
 
 using namespace cps;
 
-TEST_CASE("a contact sheet shows each set's views at their tiles") {
+TEST_CASE("a contact sheet shows each view in its tile") {
   const Plan plan = small_plan();
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
@@ -36,7 +36,7 @@ TEST_CASE("a contact sheet shows each set's views at their tiles") {
   CHECK_THROWS_WITH(contact_sheet(read_dataset(root), options), Catch::Contains("000000.png"));
 }
 
-TEST_CASE("a contact sheet of no columns is refused by name") {
+TEST_CASE("invalid contact sheet options are refused by name") {
   CHECK(ContactSheetOptions{}.fault() == "");
   CHECK(ContactSheetOptions{.columns = 0}.fault() == "columns: must lie in [1, 100]");
   CHECK(ContactSheetOptions{.tile_width_px = 10}.fault() == "tile-width: must lie in [64, 4096]");

@@ -10,7 +10,7 @@
 
 using namespace cps;
 
-TEST_CASE("lenses for real pictures are certified, inside the picture, and not too fine for it") {
+TEST_CASE("lenses for real pictures are certified, and the picture covers and resolves them") {
   const Pinhole straight = pinhole_from_hfov(1392, 512, radians(78));
   const std::vector<RelensGroup> groups = draw_relens_groups(straight, "cam", 5, {.lenses = 12, .seed = 3});
   REQUIRE(groups.size() == 12);
@@ -50,13 +50,13 @@ TEST_CASE("lenses for real pictures are certified, inside the picture, and not t
   CHECK(fewer[1].label.camera == groups[1].label.camera);
 }
 
-TEST_CASE("a size that the pictures are too coarse for is refused in one line") {
+TEST_CASE("an output size for which the pictures are too coarse is refused in one line") {
   const Pinhole straight = pinhole_from_hfov(320, 240, radians(70));
   CHECK_THROWS_WITH(draw_relens_groups(straight, "cam", 1, {.size = {1280, 960}}),
                     Catch::StartsWith("camera cam: no lens found for 1280x960"));
 }
 
-TEST_CASE("relens options that cannot be are refused by name") {
+TEST_CASE("invalid relens options are refused by name") {
   CHECK(RelensOptions{}.fault() == "");
   CHECK(RelensOptions{.lenses = 0}.fault() == "lenses: must lie in [1, 10000]");
   CHECK(RelensOptions{.narrowest = 1.5}.fault() == "narrowest: must lie in (0, 1]");

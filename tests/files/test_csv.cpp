@@ -6,7 +6,7 @@
 
 using namespace cps;
 
-TEST_CASE("a field reads back, whatever it holds") {
+TEST_CASE("a field with any contents reads back") {
   for (const std::string& text : {"", "plain", "a,b", "\"", "a \"quoted\" word", "two\nlines", "\n", "\r\n",
                                   "a\r", "\",\"\n\"", "straße"}) {
     const std::string csv = "before,field,after\n1," + csv_field(text) + ",2\n3,x,4\n";
@@ -17,7 +17,7 @@ TEST_CASE("a field reads back, whatever it holds") {
   }
 }
 
-TEST_CASE("line ends of either kind, and a last line without one") {
+TEST_CASE("LF and CRLF line ends are read, and a last line without one") {
   const std::vector<std::vector<std::string>> rows = {{"1", "2"}, {"", "4"}};
   CHECK(parse_csv("a,b\n1,2\n,4\n", "t.csv").rows == rows);
   CHECK(parse_csv("a,b\r\n1,2\r\n,4\r\n", "t.csv").rows == rows);
@@ -25,7 +25,7 @@ TEST_CASE("line ends of either kind, and a last line without one") {
   CHECK(parse_csv("a,b\n", "t.csv").rows.empty());
 }
 
-TEST_CASE("what is wrong with a table is told by file, line and column") {
+TEST_CASE("errors name file, line and column") {
   CHECK_THROWS_WITH(parse_csv("a,b\n1,2\n3\n", "t.csv"), "t.csv: line 3: has 1 fields, its header 2");
   CHECK_THROWS_WITH(parse_csv("a,b\n1,\"2\n3,4\n", "t.csv"), "t.csv: line 2: a quote is not closed");
   const CsvTable table = parse_csv("name,x\n\"two\nlines\",1.5\nb,7x\nc,nan\nd,2.5\n", "t.csv");
@@ -38,7 +38,7 @@ TEST_CASE("what is wrong with a table is told by file, line and column") {
   CHECK_THROWS_WITH(table.at(3, x).whole_number(), Catch::Contains("line 6"));
 }
 
-TEST_CASE("a file is read as its text is") {
+TEST_CASE("a table reads back from a file") {
   const TemporaryFolder folder;
   write_file(folder.path / "t.csv", std::string("a\n\"x\ny\"\n"));
   CHECK(read_csv(folder.path / "t.csv").rows == std::vector<std::vector<std::string>>{{"x\ny"}});

@@ -10,7 +10,7 @@ TEST_CASE("SHA-256 agrees with the published test vectors (FIPS 180-4)") {
   CHECK(sha256(std::string()) == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST_CASE("a written file is whole or not there") {
+TEST_CASE("a file is written completely or not at all") {
   const TemporaryFolder temporary;
   const auto& folder = temporary.path;
   write_file(folder / "a" / "b.txt", std::string("hello"));
@@ -28,7 +28,7 @@ TEST_CASE("a written file is whole or not there") {
                     Catch::Contains("bad.json") && Catch::Contains("not JSON"));
 }
 
-TEST_CASE("only what a killed writer left is removed") {
+TEST_CASE("only temporary files of a killed writer are removed") {
   const TemporaryFolder temporary;
   const auto& folder = temporary.path;
   // Names that people and other programs choose.

@@ -138,7 +138,7 @@ TEST_CASE("curves and dots lie where the axes say, and a point that is not finit
     CHECK(std::abs(at({0, label.attribute("y").as_double()}).y() - value) < 6 * std::abs(y.per_page));
 }
 
-TEST_CASE("a page holds a diagram for each plot, side by side, and its words as they are") {
+TEST_CASE("a page holds each plot's diagram in a grid, with its texts escaped") {
   const std::vector<Plot> plots = {
       {.title = "a < b & \"c\" > d",
        .x_label = "H-FOV [°]",

@@ -7,7 +7,7 @@
 
 using namespace cps;
 
-TEST_CASE("PNG bytes decode to the pixels they were made from and do not vary") {
+TEST_CASE("PNG bytes decode to the encoded pixels, and are the same each time") {
   const TemporaryFolder temporary;
   const auto& folder = temporary.path;
   OIIO::ImageBuf image(OIIO::ImageSpec(37, 21, 3, OIIO::TypeDesc::UINT8));

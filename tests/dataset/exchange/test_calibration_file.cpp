@@ -51,7 +51,7 @@ std::vector<CalibratedCamera> from_text(const std::string& name, const std::stri
 
 }  // namespace
 
-TEST_CASE("every format gives back what was written") {
+TEST_CASE("every format reads back what it wrote") {
   const std::pair<CalibrationFormat, const char*> cases[] = {
       {CalibrationFormat::cps, "calibration.json"}, {CalibrationFormat::opencv_yaml, "a.yml"},
       {CalibrationFormat::opencv_xml, "a.xml"},     {CalibrationFormat::colmap, "cameras.txt"},
@@ -80,7 +80,7 @@ TEST_CASE("every format gives back what was written") {
   }
 }
 
-TEST_CASE("formats for several cameras keep them apart, the others say so") {
+TEST_CASE("formats for several cameras keep them apart, formats for one refuse several") {
   CalibratedCamera second = odd;
   second.name = "03";
   second.pinhole.cx = 711;
@@ -103,7 +103,7 @@ TEST_CASE("formats for several cameras keep them apart, the others say so") {
   CHECK_FALSE(fs::exists(file));
 }
 
-TEST_CASE("OpenCV reads what is written for it, and the other way round") {
+TEST_CASE("OpenCV reads our files, and we read OpenCV's") {
   for (const char* name : {"opencv.yml", "opencv.xml"}) {
     const bool is_xml = std::string(name).ends_with("xml");
     const fs::path file = fresh_file(name);
@@ -134,7 +134,7 @@ TEST_CASE("OpenCV reads what is written for it, and the other way round") {
   }
 }
 
-TEST_CASE("files as other programs write them") {
+TEST_CASE("files of other programs are read") {
   const Distortion lens{.k1 = -0.3, .k2 = 0.1, .k3 = 0.05, .p1 = 0.001, .p2 = 0.002};
   const auto check = [](const std::vector<CalibratedCamera>& cameras, const std::string& name,
                         const Pinhole& camera, const Distortion& distortion) {
@@ -188,7 +188,7 @@ TEST_CASE("files as other programs write them") {
   CHECK(kitti[1].pinhole.fx == 400);
 }
 
-TEST_CASE("what cannot be true or is not Brown–Conrady is refused by name") {
+TEST_CASE("impossible numbers and models other than Brown–Conrady are refused by name") {
   const auto colmap = [](const std::string& line) { return refusal("cameras.txt", "1 " + line + "\n"); };
   CHECK_THAT(colmap("FULL_OPENCV 640 480 500 501 320 240 0 0 0 0 0 0 0.1 0"), Catch::Contains("k5 is not 0"));
   CHECK_THAT(colmap("OPENCV_FISHEYE 640 480 500 501 320 240 0 0 0 0"), Catch::Contains("OPENCV_FISHEYE"));

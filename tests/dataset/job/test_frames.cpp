@@ -60,7 +60,7 @@ const ImageRecord image{.file = "set/leaf/000002.png",
 
 }  // namespace
 
-TEST_CASE("every column of frames.csv holds what it is called by") {
+TEST_CASE("every column of frames.csv holds the quantity that its name says") {
   const PlannedView view = turned_view();
   const CsvTable table = parse_csv(frames_csv({{&view, &record, &image}}), "frames.csv");
   const std::vector<std::string> names = {"file",

@@ -19,7 +19,7 @@ Job job_of(const std::string& recipe) {
 
 }  // namespace
 
-TEST_CASE("a job that was begun reads back") {
+TEST_CASE("a job reads back from its folder") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   CHECK_FALSE(has_job(root));
@@ -36,7 +36,7 @@ TEST_CASE("a job that was begun reads back") {
   CHECK(read.folder == job.folder);
 }
 
-TEST_CASE("another job in the same folder is refused, with the difference named") {
+TEST_CASE("a different job in the same folder is refused with the first difference") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   begin_job(root, job_of("seed = 0\nviews = 3\n"));
@@ -55,7 +55,7 @@ TEST_CASE("another job in the same folder is refused, with the difference named"
   CHECK_THROWS_WITH(require_same_job(root, other), Catch::Contains("cps 2"));
 }
 
-TEST_CASE("a damaged job file is named") {
+TEST_CASE("a damaged job file is refused by name") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   begin_job(root, job_of(""));

@@ -34,7 +34,7 @@ void write_journal(const fs::path& root, const std::vector<std::int64_t>& views,
 
 }  // namespace
 
-TEST_CASE("what was journalled is there when the job is taken up again") {
+TEST_CASE("journalled views are found when the job is resumed") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   CHECK(read_journals(root).views.empty());
@@ -50,7 +50,7 @@ TEST_CASE("what was journalled is there when the job is taken up again") {
   CHECK(lines.unreadable == 0);
 }
 
-TEST_CASE("what was made under any sharding counts") {
+TEST_CASE("views made under any number of shards count as made") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   write_journal(root, {0, 1}, {0, 2});
@@ -60,7 +60,7 @@ TEST_CASE("what was made under any sharding counts") {
   CHECK(journalled_shard_counts(root) == std::vector<std::int64_t>{1, 2, 3});
 }
 
-TEST_CASE("a line cut at any byte costs that view only, and the journal goes on cleanly") {
+TEST_CASE("a line cut short at any byte loses that view only, and the journal can be continued") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   write_journal(root, {0, 1});
@@ -75,7 +75,7 @@ TEST_CASE("a line cut at any byte costs that view only, and the journal goes on 
   }
 }
 
-TEST_CASE("a line with any one byte changed is not believed") {
+TEST_CASE("a line in which any one byte changed is rejected as damaged") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   write_journal(root, {0, 1, 2});
@@ -91,7 +91,7 @@ TEST_CASE("a line with any one byte changed is not believed") {
   }
 }
 
-TEST_CASE("a view whose picture vanished, or lost its end, is not whole") {
+TEST_CASE("a view counts as not made when an image is missing or cut short") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   const ViewRecord record = record_of(2, root);
@@ -102,7 +102,7 @@ TEST_CASE("a view whose picture vanished, or lost its end, is not whole") {
   CHECK_FALSE(has_its_images(root, record));
 }
 
-TEST_CASE("a shard's journal is one process's; another shard's is free") {
+TEST_CASE("only one process at a time opens a shard's journal; other shards are not affected") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   {
@@ -114,7 +114,7 @@ TEST_CASE("a shard's journal is one process's; another shard's is free") {
   const Journal again(root, {1, 4});
 }
 
-TEST_CASE("a journal that cannot grow says so and keeps whole lines") {
+TEST_CASE("a journal that cannot be written throws and keeps its whole lines") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
   const ViewRecord record = record_of(1, root);

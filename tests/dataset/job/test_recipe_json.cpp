@@ -5,7 +5,7 @@
 
 using namespace cps;
 
-TEST_CASE("a finished dataset gives its recipe back") {
+TEST_CASE("the recipe in dataset.json reads back") {
   const TemporaryFolder folder;
   const Plan plan = small_plan();
   write_small_dataset(folder.path, plan);

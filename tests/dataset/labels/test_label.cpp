@@ -52,7 +52,7 @@ TEST_CASE("a label written as JSON text reads back to the same bits") {
   CHECK(to_json(read).dump() == to_json(label).dump());
 }
 
-TEST_CASE("the keys that other readers know are there and mean what they say") {
+TEST_CASE("the keys that other readers use are there and consistent") {
   const nlohmann::json json = nlohmann::json::parse(to_json(sample_label()).dump());
   for (const char* key : {"fov",  "K",           "width",  "height", "k1",     "k2",           "k3",
                           "p1",   "p2",          "cx",     "cy",     "schema", "fov_base_deg", "fov_true_deg",
@@ -67,7 +67,7 @@ TEST_CASE("the keys that other readers know are there and mean what they say") {
   CHECK(json["p2"] == 0.001383707);
 }
 
-TEST_CASE("a label that contradicts itself or lacks something is refused by key") {
+TEST_CASE("a label that contradicts itself or lacks a key is refused by key") {
   const nlohmann::json good = nlohmann::json::parse(to_json(sample_label()).dump());
   CHECK(refusal(good).empty());
   const auto changed = [&](const char* pointer, const nlohmann::json& value) {

@@ -32,7 +32,7 @@ OIIO::ImageBuf noise_for(ImageFormat format) {
 
 }  // namespace
 
-TEST_CASE("an image's file is the same whenever it is written") {
+TEST_CASE("an image's file does not depend on the time of writing") {
   // OpenImageIO puts the time of day into an EXR unless it is given one.
   std::vector<std::string> before;
   for (ImageFormat format : formats) before.push_back(encode_image(noise_for(format), format, 90));
@@ -43,7 +43,7 @@ TEST_CASE("an image's file is the same whenever it is written") {
   }
 }
 
-TEST_CASE("the hash of an image's pixels is that of what a reader finds in its file") {
+TEST_CASE("the hash of an image's pixels is that of the pixels a reader decodes") {
   const TemporaryFolder folder;
   for (ImageFormat format : formats) {
     INFO(to_string(format));
@@ -59,7 +59,7 @@ TEST_CASE("the hash of an image's pixels is that of what a reader finds in its f
   }
 }
 
-TEST_CASE("an EXR holds halves next to what it was given, and no infinity") {
+TEST_CASE("an EXR holds the nearest half floats, clamped to the finite range") {
   const TemporaryFolder folder;
   OIIO::ImageBuf image = noise_for(ImageFormat::exr);
   auto* given = static_cast<float*>(image.localpixels());

@@ -30,7 +30,7 @@ OIIO::ImageBuf waves(const std::function<std::pair<double, double>(double, doubl
 
 }  // namespace
 
-TEST_CASE("a shift by parts of a pixel is found to two hundredths") {
+TEST_CASE("a subpixel shift is found to 0.02 px") {
   const auto still = [](double, double) { return std::pair(0.0, 0.0); };
   for (const auto& [dx, dy] : {std::pair(0.0, 0.0), std::pair(0.3, -0.2), std::pair(-0.05, 0.4)}) {
     const auto moved = [dx = dx, dy = dy](double, double) { return std::pair(dx, dy); };
@@ -41,7 +41,7 @@ TEST_CASE("a shift by parts of a pixel is found to two hundredths") {
   }
 }
 
-TEST_CASE("the noise that is reported is the scatter that is seen") {
+TEST_CASE("the reported noise matches the scatter of the shifts") {
   const auto still = [](double, double) { return std::pair(0.0, 0.0); };
   double square = 0, reported = 0;
   constexpr int trials = 24;
@@ -68,7 +68,7 @@ TEST_CASE("a stretch about the middle shows in the blocks, not in the shift") {
   CHECK(found.psnr_db > 20);
 }
 
-TEST_CASE("pictures of two views do not correlate, however noisy ones of one view do") {
+TEST_CASE("noisy pictures of one view correlate, pictures of two views do not") {
   const auto still = [](double, double) { return std::pair(0.0, 0.0); };
   const auto elsewhere = [](double x, double y) { return std::pair(1000 - 2 * y, 500 + 1.7 * x); };
   const OIIO::ImageBuf here = waves(still, 0.05, 1);
@@ -76,7 +76,7 @@ TEST_CASE("pictures of two views do not correlate, however noisy ones of one vie
   CHECK(std::abs(register_pictures(here, waves(elsewhere, 0.05, 2)).correlation) < .2);
 }
 
-TEST_CASE("pictures of two sizes are refused") {
+TEST_CASE("pictures of different sizes are refused") {
   CHECK_THROWS(register_pictures(OIIO::ImageBuf(OIIO::ImageSpec(10, 10, 1, OIIO::TypeDesc::FLOAT)),
                                  OIIO::ImageBuf(OIIO::ImageSpec(10, 11, 1, OIIO::TypeDesc::FLOAT))));
 }

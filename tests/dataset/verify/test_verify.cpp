@@ -99,7 +99,7 @@ TEST_CASE("verify names what is wrong with the files") {
              Catch::Contains("frames.csv says test") && Catch::Contains("occurs in"));
 }
 
-TEST_CASE("verify knows the days of one city by its seed") {
+TEST_CASE("verify recognises the days of one city by the city's seed") {
   Recipe recipe;
   recipe.city_seeds = {1, 2};
   recipe.sizes = {{64, 36}};
@@ -230,7 +230,7 @@ TEST_CASE(
              Catch::Contains("calibration.json"));
 }
 
-TEST_CASE("what is no finished dataset is refused in one line") {
+TEST_CASE("a folder that is no finished dataset is refused in one line") {
   CHECK_THROWS_WITH(verify_dataset("/nonexistent"), Catch::Contains("/nonexistent"));
   CHECK_THROWS_WITH(verify_dataset(TemporaryFolder().path), Catch::Contains("calibration.json"));
   CHECK_THROWS_WITH(read_dataset(TemporaryFolder().path), Catch::Contains("calibration.json"));

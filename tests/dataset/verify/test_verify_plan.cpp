@@ -14,7 +14,7 @@ TEST_CASE("a dataset made by the plan agrees with it") {
   CHECK(faults_against_plan(folder.path, plan) == std::vector<std::string>{});
 }
 
-TEST_CASE("each column that the plan decides is compared with it, and no other") {
+TEST_CASE("exactly the columns that the plan decides are compared with it") {
   const TemporaryFolder folder;
   const Plan plan = small_plan();
   write_small_dataset(folder.path, plan);
@@ -37,7 +37,7 @@ TEST_CASE("each column that the plan decides is compared with it, and no other")
   CHECK(planned == 17);
 }
 
-TEST_CASE("a label that the plan does not give is named") {
+TEST_CASE("a label that differs from the plan's is named") {
   const TemporaryFolder folder;
   const Plan plan = small_plan();
   write_small_dataset(folder.path, plan);
