@@ -53,7 +53,8 @@ void store_recipe_file(const std::filesystem::path& file, po::variables_map& val
   if (!stream) throw std::runtime_error(file.string() + ": cannot be read; name a recipe file");
   try {
     std::stringstream text = with_plain_keys(stream);
-    po::parsed_options keys = po::parse_config_file(text, recipe_options());
+    const po::options_description known = recipe_options();  // outlives `keys`, which points to it
+    po::parsed_options keys = po::parse_config_file(text, known);
     if (names_scenes(values))
       std::erase_if(keys.options, [](const po::option& key) { return is_scene_key(key.string_key); });
     po::store(keys, values);
