@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "numbers/angles.h"
 #include "scenes/city/buildings/attic.h"
 #include "scenes/city/geometry/strip.h"
 #include "scenes/city/materials/textures.h"
@@ -14,6 +14,16 @@ namespace {
 
 constexpr double overhang_m = 0.45, slab_m = 0.2;
 constexpr double mansard_depth_m = 0.95, mansard_rise_m = 2.5;  // of its steep part
+
+/// The rise of a slope per metre. Not by radians(), which rounds π / 180 first: cities keep their bytes.
+double slope_of(const RoofPlan& plan) {
+  return std::tan(plan.pitch_deg * std::numbers::pi / 180);
+}
+
+/// Rise over run. Not by radians(), whose last bit differs: it would change the bytes of every city's file.
+double slope_of(const RoofPlan& plan) {
+  return std::tan(plan.pitch_deg * std::numbers::pi / 180);
+}
 
 /// The closed cross-section of a roof slab: its top from front to back, then its underside from back to
 /// front.
@@ -40,7 +50,7 @@ void add_chimneys(Mesh& mesh, const Footprint& f, double eaves, double ridge, co
 }
 
 double add_gable(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m) {
-  const double slope = std::tan(radians(plan.pitch_deg)), rise = slope * f.depth_m / 2;
+  const double slope = slope_of(plan), rise = slope * f.depth_m / 2;
   const std::vector<ProfilePoint> top{{-overhang_m, eaves - overhang_m * slope + slab_m},
                                       {f.depth_m / 2, eaves + rise + slab_m},
                                       {f.depth_m + overhang_m, eaves - overhang_m * slope + slab_m}};
@@ -72,7 +82,7 @@ double add_mansard(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan&
 }
 
 double add_hip(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& plan, const Materials& m) {
-  const double slope = std::tan(radians(plan.pitch_deg));
+  const double slope = slope_of(plan);
   const Footprint wide = f.lengthened(overhang_m, overhang_m);
   const Polyline front = wide.line_at(-overhang_m), back = wide.line_at(f.depth_m + overhang_m);
   const double half = f.depth_m / 2 + overhang_m, base = eaves - overhang_m * slope,
@@ -132,7 +142,7 @@ double add_roof(Mesh& mesh, const Footprint& f, double eaves, const RoofPlan& pl
   const double ridge = plan.kind == RoofKind::hip       ? add_hip(mesh, f, eaves, plan, m)
                        : plan.kind == RoofKind::mansard ? add_mansard(mesh, f, eaves, plan)
                                                         : add_gable(mesh, f, eaves, plan, m);
-  const double slope = std::tan(radians(plan.pitch_deg));
+  const double slope = slope_of(plan);
   if (plan.dormers && plan.kind == RoofKind::mansard)
     add_dormers(mesh, f, eaves, mansard_rise_m / mansard_depth_m, 0.25, m, draws);
   else if (plan.dormers && plan.kind == RoofKind::gable && slope * f.depth_m / 2 > 2.9)
