@@ -4,10 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
-
-#include "numbers/angles.h"
 
 namespace cps {
 namespace {
@@ -61,7 +60,8 @@ std::vector<RoutePoint> read_points(const std::filesystem::path& file, double me
     RoutePoint point{.position = Eigen::Vector3d((*values)[0], (*values)[1], (*values)[2]) * metres_per_unit,
                      .heading_rad = std::nullopt};
     if (!(point.position.norm() < 1e7)) refuse(file, number, "lies beyond 10,000 km");
-    if (columns == 4) point.heading_rad = radians((*values)[3]);
+    // Not by radians(), which rounds π / 180 first: datasets keep their bytes.
+    if (columns == 4) point.heading_rad = (*values)[3] * std::numbers::pi / 180;
     const bool repeats =
         !points.empty() && !point.heading_rad && (point.position - points.back().position).norm() < 1e-3;
     if (!repeats) points.push_back(point);
