@@ -64,8 +64,10 @@ SolarPosition solar_position(const Moment& moment, double latitude_deg, double l
   const double east = -std::cos(declination) * std::sin(hour_angle);
   const double north = std::sin(declination) * std::cos(latitude) -
                        std::cos(declination) * std::sin(latitude) * std::cos(hour_angle);
-  return {.elevation_deg = degrees(std::asin(std::clamp(sine, -1.0, 1.0))),
-          .azimuth_deg = wrapped(degrees(std::atan2(east, north)), 360)};
+  // Not by degrees(), which rounds 180 / π: datasets keep their bytes.
+  constexpr double degree = radians(1);
+  return {.elevation_deg = std::asin(std::clamp(sine, -1.0, 1.0)) / degree,
+          .azimuth_deg = wrapped(std::atan2(east, north) / degree, 360)};
 }
 
 }  // namespace cps
