@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "scenes/city/materials/textures.h"
+#include "scenes/city/noise.h"
 
 using namespace cps;
 using namespace cps::city;
