@@ -48,7 +48,7 @@ TEST_CASE("The variance layer is that of samples were they independent, less wha
   // from their mean is n (σ² − v), so the layer holds (σ² − v)/(n − 1) on average. Pairs of seeds give σ² and
   // v: half of the squared difference.
   const RenderScene scene(corner(), day());
-  constexpr int pairs = 64, samples = 16, values = 24 * 16 * 3;
+  constexpr int pairs = 32, samples = 16, values = 24 * 16 * 3;
   const auto rendered = [&](int count, int seed, OIIO::ImageBuf* variance) -> Eigen::ArrayXd {
     const RenderOptions options{.samples = count, .seed = static_cast<std::uint64_t>(seed)};
     const OIIO::ImageBuf image = render(scene, view, options, nullptr, variance);

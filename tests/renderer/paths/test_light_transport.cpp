@@ -166,7 +166,7 @@ TEST_CASE("Light between surfaces adds up as the series of reflections") {
       const double offset2 = view.world_from_camera.translation().squaredNorm() - along * along;
       return at_cosine(static_cast<float>(std::sqrt(1 - offset2 / (radius * radius))));
     });
-    const Estimate seen = mean_over_seeds(scene, view, {.samples = 64, .max_shaded_vertices = n});
+    const Estimate seen = mean_over_seeds(scene, view, {.samples = 16, .max_shaded_vertices = n});
     CHECK(standard_errors_off(seen, grey(exact), 2e-3) < max_standard_errors);
   }
 }
