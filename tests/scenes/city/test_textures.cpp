@@ -3,7 +3,6 @@
 
 #include "scenes/city/materials/textures.h"
 #include "scenes/city/noise.h"
-#include "scenes/city/noise.h"
 
 using namespace cps;
 using namespace cps::city;
