@@ -146,8 +146,8 @@ TEST_CASE("Zhang's method finds the labels of rendered chessboards", "[slow]") {
   SUCCEED(wide);
 }
 
-// Run by hand: `test_recalibration "[survey]" -s`.
-TEST_CASE("p-values of a hundred further labels are uniform", "[.survey]") {
+// For the table: `test_recalibration "[survey]" -s`.
+TEST_CASE("p-values of a hundred further labels are uniform", "[slow][survey]") {
   const RenderScene scene = sunlit_board();
   std::vector<double> p_values;
   std::string table;
