@@ -20,11 +20,6 @@ double slope_of(const RoofPlan& plan) {
   return std::tan(plan.pitch_deg * std::numbers::pi / 180);
 }
 
-/// Rise over run. Not by radians(), whose last bit differs: it would change the bytes of every city's file.
-double slope_of(const RoofPlan& plan) {
-  return std::tan(plan.pitch_deg * std::numbers::pi / 180);
-}
-
 /// The closed cross-section of a roof slab: its top from front to back, then its underside from back to
 /// front.
 std::vector<ProfilePoint> slab(const std::vector<ProfilePoint>& top) {
