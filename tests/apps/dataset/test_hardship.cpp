@@ -146,6 +146,6 @@ TEST_CASE("damaged journal lines are reported and their views made again") {
 TEST_CASE("finishing removes the temporary files that a power cut leaves") {
   Trouble trouble;
   REQUIRE(run_cps(trouble.recipe + " --shard 0/2").exit_status == 0);
-  write_file(trouble.out / "80x45_hfov060/front_lens0000/000009.png.1234-5.tmp", std::string("half"));
+  write_file(trouble.out / "80x45_hfov060/front_lens0000/000009.png.0123cdef-5.tmp", std::string("half"));
   trouble.check_recovers();
 }
