@@ -20,11 +20,10 @@ endfunction()
 add_custom_target(cps_tests)
 add_custom_target(cps_benches)
 
-# cps_test(NAME SOURCES … LINK … [SLOW_MINUTES n]): one Catch2 program per room. SLOW_MINUTES adds the cases tagged [slow]
-# as a second test, labelled `slow`, which only `./dev test --all` runs, and states how long it takes on two cores: ctest's
-# closing table shows the stated minutes beside the measured time.
+# cps_test(NAME SOURCES … LINK … [SLOW]): one Catch2 program per room. SLOW adds the cases tagged [slow] as a second test,
+# labelled slow, which only `./dev test --all` runs.
 function(cps_test name)
-  cmake_parse_arguments(TEST "OWN_HEADERS" "SLOW_MINUTES" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "OWN_HEADERS;SLOW" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
   target_link_libraries(test_${name} PRIVATE cps_catch_main ${TEST_LINK})
   if(NOT TEST_OWN_HEADERS)
@@ -33,9 +32,9 @@ function(cps_test name)
   add_dependencies(cps_tests test_${name})
   add_test(NAME ${name} COMMAND test_${name} "~[slow]" --warn NoTests)
   set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
-  if(TEST_SLOW_MINUTES)
+  if(TEST_SLOW)
     add_test(NAME ${name}_slow COMMAND test_${name} "[slow]" --warn NoTests)
-    set_tests_properties(${name}_slow PROPERTIES LABELS "slow;${name} states ${TEST_SLOW_MINUTES} min" TIMEOUT 7200)
+    set_tests_properties(${name}_slow PROPERTIES LABELS slow TIMEOUT 7200)
   endif()
 endfunction()
 
