@@ -1,10 +1,7 @@
-
 #include <iostream>
 
 #include "apps/dataset/job_flags.h"
-#include "apps/dataset/recipe_file.h"
 #include "apps/interruption.h"
-#include "apps/options.h"
 #include "apps/progress.h"
 #include "apps/threads.h"
 #include "apps/verbs.h"
@@ -94,16 +91,10 @@ int generate(const po::variables_map& values, int threads) {
 
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of an installed recipe, such as cps-v3")(
-      "out,o", po::value<std::string>()->required(), "the dataset's folder")(
+  options.add_options()("out,o", po::value<std::string>()->required(), "the dataset's folder")(
       "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4");
-  add_threads_option(options);
-  options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
-  if (!parse_options(arguments, usage, options, {}, values)) return 0;
-  store_named_recipe(values);
-  po::notify(values);
+  if (!parse_job_options(arguments, usage, options, values)) return 0;
 
   const ThreadLimit threads(values);
   return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads.count); });

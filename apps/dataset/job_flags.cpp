@@ -2,6 +2,9 @@
 
 #include <boost/program_options/errors.hpp>
 
+#include "apps/dataset/recipe_file.h"
+#include "apps/options.h"
+#include "apps/threads.h"
 #include "production/drive_text.h"
 #include "sampler/recipe/rig_file.h"
 
@@ -18,8 +21,6 @@ DriveOptions drive_from_flags(const po::variables_map& values, const Recipe& rec
   return drive;
 }
 
-}  // namespace
-
 po::options_description drive_flags() {
   po::options_description flags("Scenes without metres or lanes");
   flags.add_options()("metres_per_unit", po::value<double>()->default_value(0),
@@ -28,6 +29,20 @@ po::options_description drive_flags() {
                       "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
                       "cars follow the scene's lanes, or else a drive that is searched for");
   return flags;
+}
+
+}  // namespace
+
+bool parse_job_options(const std::vector<std::string>& arguments, const std::string& manual,
+                       po::options_description options, po::variables_map& values) {
+  options.add_options()("recipe", po::value<std::string>(),
+                        "recipe file, or the name of an installed recipe, such as cps-v3");
+  add_threads_option(options);
+  options.add(drive_flags()).add(recipe_options());
+  if (!parse_options(arguments, manual, options, {}, values)) return false;
+  store_named_recipe(values);
+  po::notify(values);
+  return true;
 }
 
 DatasetJob job_from_flags(const po::variables_map& values, const fs::path& root) {

@@ -3,16 +3,23 @@
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/variables_map.hpp>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "production/dataset_job.h"
 
 namespace cps {
 
-/// `--metres_per_unit` and `--route`: how cars drive through the recipe's scenes.
-boost::program_options::options_description drive_flags();
+/// Parses the arguments of a verb that works on a recipe: its own `options`, and those of every such verb,
+/// which are `--recipe`, the recipe's keys, `--threads`, and `--metres_per_unit` and `--route`, which say how
+/// cars drive through the scenes. Stores the keys of the recipe's file. False after --help. Throws as
+/// parse_options() and store_named_recipe() do.
+bool parse_job_options(const std::vector<std::string>& arguments, const std::string& manual,
+                       boost::program_options::options_description options,
+                       boost::program_options::variables_map& values);
 
-/// The job that `--recipe`, the recipe's keys and drive_flags() ask for, begun in the folder `root`. Reads
-/// the files of recipe, rig and route and nothing else. Throws std::runtime_error or
+/// The job that parsed options ask for, begun in the folder `root`. Reads the files of recipe, rig and route
+/// and nothing else. Throws std::runtime_error or
 /// boost::program_options::error in one line.
 DatasetJob job_from_flags(const boost::program_options::variables_map& values,
                           const std::filesystem::path& root);

@@ -3,8 +3,6 @@
 #include <iostream>
 
 #include "apps/dataset/job_flags.h"
-#include "apps/dataset/recipe_file.h"
-#include "apps/options.h"
 #include "apps/threads.h"
 #include "apps/verbs.h"
 #include "production/costs/bill.h"
@@ -33,21 +31,15 @@ double free_bytes(fs::path folder) {
 
 int cps_plan(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("recipe", po::value<std::string>(),
-                        "recipe file, or the name of an installed recipe, such as cps-v3")(
-      "out,o", po::value<std::string>()->default_value("."),
-      "the dataset's folder, to compare with the free space there")(
+  options.add_options()("out,o", po::value<std::string>()->default_value("."),
+                        "the dataset's folder, to compare with the free space there")(
       "cores", po::value<int>()->default_value(tbb::info::default_concurrency()),
       "cores that will share the work, to estimate the time")("price", po::value<double>()->default_value(0),
                                                               "price of a core-hour")(
       "conditions", po::value<int>()->default_value(5),
       "conditions to measure, with one view of each size and H-FOV in each")("json", "print JSON");
-  add_threads_option(options);
-  options.add(drive_flags()).add(recipe_options());
   po::variables_map values;
-  if (!parse_options(arguments, usage, options, {}, values)) return 0;
-  store_named_recipe(values);
-  po::notify(values);
+  if (!parse_job_options(arguments, usage, options, values)) return 0;
   const int conditions = values["conditions"].as<int>();
   Resources resources{.cores = values["cores"].as<int>(),
                       .price_per_core_h = values["price"].as<double>(),

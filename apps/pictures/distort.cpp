@@ -158,23 +158,12 @@ int cps_distort(const Arguments& arguments) {
   report_resolution(request, std::min(source.fx / fit.camera.fx, source.fy / fit.camera.fy) /
                                  proof.certificate.max_eigenvalue);
 
-  const WarpOptions options{.oversampling = 1,
-                            .kernel_sigma_px = request.sigma_px,
-                            .resampling = resampling_of(request),
-                            .require_resolution = false};
-  const Encoding encoding = encoding_from_string(request.encoding);
-  const std::filesystem::path label = label_path(request, jobs);
-  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
-  const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
-    const Picture picture =
-        read_picture(job.input, encoding, options.resampling, source.width, source.height);
-    write_picture(job.output, warp(picture.pixels, source, output.distortion, output.pinhole, options),
-                  picture);
-  });
-  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees, zoom {:.4f}; {} pictures, {} failed\n", label.string(),
-             fit.camera.width, fit.camera.height, degrees(hfov_rad(fit.camera)), fit.camera.fx / unzoomed,
-             jobs.size() - failed, failed);
-  return failed > 0 ? 1 : 0;
+  const WarpOptions options = warp_options(request);
+  return resample_pictures(request, jobs, source, output,
+                           fmt::format(", zoom {:.4f}", fit.camera.fx / unzoomed),
+                           [&](const OIIO::ImageBuf& ideal) {
+                             return warp(ideal, source, output.distortion, output.pinhole, options);
+                           });
 }
 
 }  // namespace cps

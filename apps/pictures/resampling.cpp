@@ -1,8 +1,11 @@
 #include "apps/pictures/resampling.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "apps/threads.h"
+#include "numbers/angles.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -74,6 +77,30 @@ fs::path label_path(const ResamplingRequest& request, const std::vector<PictureJ
   if (fs::is_directory(request.input)) return fs::path(request.output) / name;
   const fs::path& picture = jobs.front().output;
   return picture.parent_path() / (picture.stem().string() + "_" + name);
+}
+
+WarpOptions warp_options(const ResamplingRequest& request) {
+  return {.oversampling = 1,
+          .kernel_sigma_px = request.sigma_px,
+          .resampling = resampling_of(request),
+          .require_resolution = false};
+}
+
+int resample_pictures(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
+                      const Pinhole& source, const CalibratedCamera& output, const std::string& remark,
+                      const std::function<OIIO::ImageBuf(const OIIO::ImageBuf&)>& resample) {
+  const Encoding encoding = encoding_from_string(request.encoding);
+  const Resampling resampling = resampling_of(request);
+  const fs::path label = label_path(request, jobs);
+  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
+  const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
+    const Picture picture = read_picture(job.input, encoding, resampling, source.width, source.height);
+    write_picture(job.output, resample(picture.pixels), picture);
+  });
+  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees{}; {} pictures, {} failed\n", label.string(),
+             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)), remark,
+             jobs.size() - failed, failed);
+  return failed > 0 ? 1 : 0;
 }
 
 }  // namespace cps

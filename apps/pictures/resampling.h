@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <functional>
 #include <string>
 
 #include "apps/pictures/picture_file.h"
@@ -35,5 +36,16 @@ Eigen::Vector2i first_size(const std::vector<PictureJob>& jobs);
 /// The file for the label: --label, else in the output folder with the usual name of its format, or, for one
 /// picture, beside it as PICTURE_NAME.
 std::filesystem::path label_path(const ResamplingRequest& request, const std::vector<PictureJob>& jobs);
+
+/// How the request's pictures are resampled, at their own resolution; a coarse one is not refused.
+WarpOptions warp_options(const ResamplingRequest& request);
+
+/// Writes the label of `output`, then resamples every picture, which must have the size of `source`, and
+/// prints what was written, with `remark` after the H-FOV. Pictures that fail are named on stderr; the others
+/// are written. Returns the exit status: 1 if a picture failed. Throws std::runtime_error when the label
+/// cannot be written.
+int resample_pictures(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
+                      const Pinhole& source, const CalibratedCamera& output, const std::string& remark,
+                      const std::function<OIIO::ImageBuf(const OIIO::ImageBuf&)>& resample);
 
 }  // namespace cps

@@ -105,25 +105,11 @@ int cps_undistort(const Arguments& arguments) {
     fmt::print(stderr, "{}: {}; the part beyond is left black\n", request.lens_file, proof.why);
   const CalibratedCamera output{source.name, output_camera(request, source), {}};
 
-  const WarpOptions options{.oversampling = 1,
-                            .kernel_sigma_px = request.sigma_px,
-                            .resampling = resampling_of(request),
-                            .require_coverage = false,
-                            .require_resolution = false};
-  const Encoding encoding = encoding_from_string(request.encoding);
-  const std::filesystem::path label = label_path(request, jobs);
-  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
-  const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
-    const Picture picture =
-        read_picture(job.input, encoding, options.resampling, source.pinhole.width, source.pinhole.height);
-    write_picture(job.output,
-                  unwarp(picture.pixels, source.pinhole, source.distortion, output.pinhole, options),
-                  picture);
+  WarpOptions options = warp_options(request);
+  options.require_coverage = false;
+  return resample_pictures(request, jobs, source.pinhole, output, "", [&](const OIIO::ImageBuf& distorted) {
+    return unwarp(distorted, source.pinhole, source.distortion, output.pinhole, options);
   });
-  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees; {} pictures, {} failed\n", label.string(),
-             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)),
-             jobs.size() - failed, failed);
-  return failed > 0 ? 1 : 0;
 }
 
 }  // namespace cps

@@ -7,7 +7,7 @@
 
 namespace cps {
 
-/// A lens and the part of its image that is kept: what a master is warped by.
+/// A lens and the part of its image that is kept: all that turning a master into an image needs of a lens.
 struct CroppedLens {
   Distortion distortion;
   Pinhole camera;                 ///< of the kept part
