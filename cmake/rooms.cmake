@@ -21,7 +21,7 @@ add_custom_target(cps_tests)
 add_custom_target(cps_benches)
 
 # cps_test(NAME SOURCES … LINK … [SLOW]): one Catch2 program per room. SLOW adds the cases tagged [slow] as a second test,
-# labelled slow, which only `./dev test --all` runs.
+# labelled slow, which only `./dev test --all` runs. Hidden cases ([.name]) run by name only.
 function(cps_test name)
   cmake_parse_arguments(TEST "OWN_HEADERS;SLOW" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
@@ -30,10 +30,10 @@ function(cps_test name)
     target_precompile_headers(test_${name} REUSE_FROM cps_test_headers)
   endif()
   add_dependencies(cps_tests test_${name})
-  add_test(NAME ${name} COMMAND test_${name} "~[slow]" --warn NoTests)
+  add_test(NAME ${name} COMMAND test_${name} "~[slow]~[.]" --warn NoTests)
   set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
   if(TEST_SLOW)
-    add_test(NAME ${name}_slow COMMAND test_${name} "[slow]" --warn NoTests)
+    add_test(NAME ${name}_slow COMMAND test_${name} "[slow]~[.]" --warn NoTests)
     set_tests_properties(${name}_slow PROPERTIES LABELS slow TIMEOUT 7200)
   endif()
 endfunction()

@@ -55,7 +55,7 @@ int free_port() {
 
 // The test below runs this case in two processes at once.
 TEST_CASE("one process of two", "[.rank-worker]") {
-  if (!std::getenv("CPS_TEST_FOLDER")) return;  // hidden cases run under ~[slow], too
+  REQUIRE(std::getenv("CPS_TEST_FOLDER"));
   const std::filesystem::path folder = std::getenv("CPS_TEST_FOLDER");
   const Ranks ranks = join_ranks();
   REQUIRE(ranks.count == 2);
