@@ -78,4 +78,12 @@ po::typed_value<std::string>* path_value(std::filesystem::path& target) {
   return po::value<std::string>()->notifier([&target](const std::string& text) { target = text; });
 }
 
+ImageSize picture_size(const std::string& flag, const std::string& text) {
+  const auto size = flag_value<ImageSize>(flag, text);
+  constexpr std::int64_t max_pixels = 1 << 28;
+  if (size.width < 1 || size.height < 1 || std::int64_t{size.width} * size.height > max_pixels)
+    throw po::error("--" + flag + " " + text + ": must be 1x1 to 268 million pixels");
+  return size;
+}
+
 }  // namespace cps

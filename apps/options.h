@@ -36,6 +36,10 @@ T flag_value(const std::string& flag, const std::string& text) {
   return value;
 }
 
+/// WIDTHxHEIGHT of a picture. Throws boost::program_options::error naming the option, too for sizes that no
+/// memory holds.
+ImageSize picture_size(const std::string& flag, const std::string& text);
+
 /// read_keys() for options of the command line: a value that cannot be read is wrong usage.
 template <typename ForEachKey>
 void read_key_flags(const boost::program_options::variables_map& values, ForEachKey&& for_each_key) {

@@ -20,10 +20,11 @@ endfunction()
 add_custom_target(cps_tests)
 add_custom_target(cps_benches)
 
-# cps_test(NAME SOURCES … LINK … [SLOW]): one Catch2 program per room. SLOW adds the cases tagged [slow] as a second test,
-# labelled slow, which only `./dev test --all` runs. Hidden cases ([.name]) run by name only.
+# cps_test(NAME SOURCES … LINK … [SLOW] [ALONE]): one Catch2 program per room. SLOW adds the cases tagged [slow] as a second
+# test, labelled slow, which only `./dev test --all` runs. Hidden cases ([.name]) run by name only. ALONE: uses all cores
+# itself, or has a time budget, so that no other test runs beside it.
 function(cps_test name)
-  cmake_parse_arguments(TEST "OWN_HEADERS;SLOW" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "OWN_HEADERS;SLOW;ALONE" "" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
   target_link_libraries(test_${name} PRIVATE cps_catch_main ${TEST_LINK})
   if(NOT TEST_OWN_HEADERS)
@@ -31,10 +32,10 @@ function(cps_test name)
   endif()
   add_dependencies(cps_tests test_${name})
   add_test(NAME ${name} COMMAND test_${name} "~[slow]~[.]" --warn NoTests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 1800 RUN_SERIAL ${TEST_ALONE})
   if(TEST_SLOW)
     add_test(NAME ${name}_slow COMMAND test_${name} "[slow]~[.]" --warn NoTests)
-    set_tests_properties(${name}_slow PROPERTIES LABELS slow TIMEOUT 7200)
+    set_tests_properties(${name}_slow PROPERTIES LABELS slow TIMEOUT 7200 RUN_SERIAL ${TEST_ALONE})
   endif()
 endfunction()
 

@@ -86,6 +86,8 @@ Plan plan_of(const DatasetJob& job, const Watch& watch) {
     if (watch.is_stopped()) throw Interrupted();
     DrivenScene driven = load_driven_scene(file, job.drive);
     if (!driven.note.empty()) watch.noted(driven.note);
+    for (const std::string& warning : driven.scene.import_warnings)
+      watch.noted(file.filename().string() + ": warning: " + warning);
     return driven;
   });
 }

@@ -22,6 +22,7 @@ std::string fault_of(const DriveOptions& drive, const Recipe& recipe) {
 std::string to_text(const DriveOptions& drive) {
   std::string text =
       "metres_per_unit = " + value_text(drive.metres_per_unit) + "\nroute = " + drive.route.string() + "\n";
+  if (drive.is_z_up) text += "up = z\n";
   if (!drive.route.empty()) text += "route_sha256 = " + sha256(read_file(drive.route)) + "\n";
   return text;
 }
@@ -29,11 +30,13 @@ std::string to_text(const DriveOptions& drive) {
 DriveOptions drive_from_text(const std::string& text) {
   po::options_description keys;
   keys.add_options()("metres_per_unit", po::value<double>()->default_value(0))(
-      "route", po::value<std::string>()->default_value(""))("route_sha256", po::value<std::string>());
+      "route", po::value<std::string>()->default_value(""))("route_sha256", po::value<std::string>())(
+      "up", po::value<std::string>()->default_value("y"));
   std::istringstream lines(text);
   po::variables_map values;
   po::store(po::parse_config_file(lines, keys), values);
   return {.metres_per_unit = values["metres_per_unit"].as<double>(),
+          .is_z_up = values["up"].as<std::string>() == "z",
           .route = values["route"].as<std::string>()};
 }
 

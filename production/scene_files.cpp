@@ -4,7 +4,7 @@
 
 #include "files/file_lock.h"
 #include "files/files.h"
-#include "scenes/drive/unit_scale.h"
+#include "scenes/drive/file_frame.h"
 #include "scenes/ego_bonnet.h"
 #include "scenes/gltf_import.h"
 
@@ -36,6 +36,7 @@ void make_scene_files(const std::vector<PlannedScene>& scenes, const fs::path& l
 
 Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
   Scene scene = import_gltf(planned.file);
+  if (planned.is_z_up) turn_z_up(scene);
   scale_scene(scene, planned.metres_per_unit);
   if (recipe.ego_bonnet) add_ego_bonnet(scene);
   return scene;

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "scenes/enclosures.h"
 #include "scenes/gltf/cameras.h"
 #include "scenes/gltf/document/container.h"
 #include "scenes/gltf/document/extensions.h"
@@ -37,25 +38,26 @@ Scene make_scene(Document& document) {
   if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.credits = document.model.asset.copyright;
   MeshTable meshes{document, scene, {document, scene}};
-  const std::vector<PlacedNode> nodes = place_nodes(document, index);
+  std::vector<PlacedNode> nodes = place_nodes(document, index);
+  scene.origin = far_origin(document, nodes);
+  for (PlacedNode& node : nodes) node.world_from_node.pretranslate(-scene.origin);
   add_instances(meshes, nodes);
   add_lights(document, nodes, scene);
   if (scene.instances.empty()) refuse(document, "scene", "holds no triangles to draw");
   scene.bounds = bounds_of(document, scene);
-  scene.lanes = read_lanes(document, index);
+  mark_enclosures(scene);
+  scene.lanes = read_lanes(document, index, scene.origin);
   scene.cameras = read_cameras(document, nodes);
   warn_of_ignored_extensions(document);
-  if (!document.model.animations.empty()) warn(document, "animations are not played, the rest pose is drawn");
   return scene;
 }
 
 }  // namespace
 
-Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings,
-                  std::size_t max_decoded_bytes) try {
+Scene import_gltf(const std::filesystem::path& file, std::size_t max_decoded_bytes) try {
   Document document = read_document(file, max_decoded_bytes);
   Scene scene = make_scene(document);
-  if (warnings) *warnings = document.warnings;
+  scene.import_warnings = std::move(document.warnings);
   return scene;
 } catch (const std::bad_alloc&) {
   refuse(file, "memory", "not enough to read this file");

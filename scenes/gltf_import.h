@@ -15,13 +15,12 @@ namespace cps {
 /// colours, lights (KHR_lights_punctual), textures from buffers, files and data URIs (PNG, JPEG, WebP,
 /// decoded by OpenImageIO). Makes missing normals, and missing tangents where a material has a normal map.
 /// Reads lanes from the scene's `extras.cps_lanes`: `[{"street": "A", "width_m": 3.25, "points": [[x, y, z],
-/// …]}, …]`. `warnings` gets a line for each thing ignored without changing any shape (material extensions,
-/// animations, …). Throws std::runtime_error with one line (file, what, fix) if the file is broken or needs
-/// something unsupported; guesses nothing.
+/// …]}, …]`. `import_warnings` gets a line for each thing ignored (material extensions, animations, …)
+/// or left out because it is broken while the rest is sound. Throws std::runtime_error with one line (file,
+/// what, fix) if the file is broken or needs something unsupported; guesses nothing.
 ///
 /// A few bytes of glTF can ask for terabytes. So a file that would need more than `max_decoded_bytes` of
 /// vertices, triangles and texels, or as much in external files, is refused before anything is allocated.
-Scene import_gltf(const std::filesystem::path& file, std::vector<std::string>* warnings = nullptr,
-                  std::size_t max_decoded_bytes = std::size_t{12} << 30);
+Scene import_gltf(const std::filesystem::path& file, std::size_t max_decoded_bytes = std::size_t{12} << 30);
 
 }  // namespace cps

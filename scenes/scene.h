@@ -56,13 +56,14 @@ struct Material {
   bool unlit = false;  ///< shows the base colour regardless of light (KHR_materials_unlit)
 };
 
-/// All texture slots of a material.
-inline std::array<const TextureSlot*, 10> texture_slots(const Material& m) {
-  return {&m.base_color_texture,       &m.metallic_roughness_texture,
-          &m.normal_texture,           &m.emissive_texture,
-          &m.specular_texture,         &m.specular_color_texture,
-          &m.clearcoat_texture,        &m.clearcoat_roughness_texture,
-          &m.clearcoat_normal_texture, &m.transmission_texture};
+/// All texture slots of a material (Material or const Material).
+template <class M>
+auto texture_slots(M& m) {
+  return std::array{&m.base_color_texture,       &m.metallic_roughness_texture,
+                    &m.normal_texture,           &m.emissive_texture,
+                    &m.specular_texture,         &m.specular_color_texture,
+                    &m.clearcoat_texture,        &m.clearcoat_roughness_texture,
+                    &m.clearcoat_normal_texture, &m.transmission_texture};
 }
 
 /// A light without size (KHR_lights_punctual).
@@ -88,6 +89,7 @@ struct Mesh {
   std::vector<Eigen::Vector4f> tangents;
   std::vector<Eigen::Vector4f> colors;  ///< linear RGBA, multiplies the base colour
   std::vector<Eigen::Vector3i> triangles;
+  bool is_enclosure = false;  ///< a part of what closes the sky over the scene: seen, but light passes
 };
 
 /// A mesh placed in the world. With a negative determinant (a mirrored node), the mesh's front faces stay
@@ -130,6 +132,10 @@ struct Scene {
   std::vector<Lane> lanes;
   std::vector<SceneCamera> cameras;
   Eigen::AlignedBox3f bounds;  ///< of all instances, world
+  /// Where the file has the point that is (0, 0, 0) here: 0, but near a scene that the file places farther
+  /// than 10 km from its own, as georeferenced ones are, because floats are coarse there.
+  Eigen::Vector3d origin = {0, 0, 0};
+  std::vector<std::string> import_warnings = {};  ///< what the importer left out or changed, a line each
 };
 
 }  // namespace cps

@@ -55,7 +55,8 @@ SceneRays::SceneRays(const Scene& scene) : geometry(std::make_unique<Geometry>()
   std::vector<bool> is_shell;
   for (const Mesh& mesh : scene.meshes) {
     meshes.push_back(committed_mesh(geometry->device, mesh));
-    is_shell.push_back(!scene.materials[mesh.material].double_sided && is_inside_out(mesh));
+    is_shell.push_back(mesh.is_enclosure ||
+                       (!scene.materials[mesh.material].double_sided && is_inside_out(mesh)));
   }
   geometry->scene = rtcNewScene(geometry->device);
   rtcSetSceneFlags(geometry->scene, RTC_SCENE_FLAG_ROBUST);

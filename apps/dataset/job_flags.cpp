@@ -15,7 +15,10 @@ namespace cps {
 namespace {
 
 DriveOptions drive_from_flags(const po::variables_map& values, const Recipe& recipe) {
-  DriveOptions drive{.metres_per_unit = values["metres_per_unit"].as<double>(), .route = {}};
+  const auto up = values["up"].as<std::string>();
+  if (up != "y" && up != "z") throw po::error("--up " + up + ": must be y or z");
+  DriveOptions drive{
+      .metres_per_unit = values["metres_per_unit"].as<double>(), .is_z_up = up == "z", .route = {}};
   if (values.count("route") > 0) drive.route = values["route"].as<std::string>();
   if (const std::string fault = fault_of(drive, recipe); !fault.empty()) throw po::error("--" + fault);
   return drive;
@@ -25,6 +28,8 @@ po::options_description drive_flags() {
   po::options_description flags("Scenes without metres or lanes");
   flags.add_options()("metres_per_unit", po::value<double>()->default_value(0),
                       "metres per unit of the scenes; 0: 1 if they have lanes, otherwise estimated");
+  flags.add_options()("up", po::value<std::string>()->default_value("y"),
+                      "axis of the scenes that points up: y, as in glTF, or z");
   flags.add_options()("route", po::value<std::string>(),
                       "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
                       "cars follow the scene's lanes, or else a drive that is searched for");

@@ -99,20 +99,23 @@ Exit status: 0 every lens is one-to-one, 1 failed, or a lens is not one-to-one,
 }  // namespace
 
 int cps_lens_check(const Arguments& arguments) {
-  std::string file, camera;
+  std::string file, camera, size;
   po::options_description options("Options");
   options.add_options()("file", po::value(&file)->required(),
                         "the calibration; its name alone will do, without --file")(
-      "camera", po::value(&camera), "name of the camera to check [all cameras of the file]");
+      "camera", po::value(&camera), "name of the camera to check [all cameras of the file]")(
+      "size", po::value(&size), "WIDTHxHEIGHT of the pictures, for files that do not say it");
   po::positional_options_description positional;
   positional.add("file", 1);
   po::variables_map values;
   if (!parse_options(arguments, manual, options, positional, values)) return 0;
   po::notify(values);
-  std::vector<CalibratedCamera> cameras = read_calibration(file);
-  if (!camera.empty()) cameras = {chosen_camera(cameras, camera, file)};
-  bool all_valid = true;
-  for (const CalibratedCamera& calibrated : cameras) {
+  const ImageSize pictures = size.empty() ? ImageSize{0, 0} : flag_value<ImageSize>("size", size);
+  const CalibrationFile read = camera.empty() ? read_calibration_file(file, pictures)
+                                              : CalibrationFile{{read_camera(file, camera, pictures)}, {}};
+  bool all_valid = read.unread.empty();
+  for (const UnreadCamera& unread : read.unread) std::cerr << "cps: " << unread.fault << "\n";
+  for (const CalibratedCamera& calibrated : read.cameras) {
     const std::string why = check_camera(calibrated);
     std::fflush(stdout);
     if (why.empty()) continue;

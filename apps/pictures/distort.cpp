@@ -21,9 +21,8 @@ namespace cps {
 namespace {
 
 struct DistortRequest : ResamplingRequest {
-  double hfov_deg = 0;      ///< H-FOV of the pictures; 0: read from `source_file`
-  std::string source_file;  ///< calibration of the pictures, without distortion
-  std::string scheme;       ///< how to draw the lens; empty: it is read from `lens_file`
+  double hfov_deg = 0;  ///< H-FOV of the pictures; 0: read from `source_file`
+  std::string scheme;   ///< how to draw the lens; empty: it is read from `lens_file`
   std::uint64_t seed = 0;
   int number = 1;
   LensOptions lenses;
@@ -73,11 +72,10 @@ void check_all(DistortRequest& request, const po::variables_map& values) {
 /// The camera that took the input.
 Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJob>& jobs) {
   if (request.source_file.empty()) {
-    const Eigen::Vector2i size = first_size(jobs);
-    return pinhole_from_hfov(size.x(), size.y(), radians(request.hfov_deg));
+    const ImageSize size = first_size(jobs);
+    return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
   }
-  const CalibratedCamera source =
-      chosen_camera(read_calibration(request.source_file), "", request.source_file);
+  const CalibratedCamera source = read_camera(request.source_file, "");
   if (source.distortion != Distortion{})
     throw std::runtime_error(request.source_file +
                              ": k1 k2 p1 p2 k3: are not 0; straighten the input first (cps undistort)");
@@ -86,11 +84,10 @@ Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJo
 
 /// The camera that the output shall look as if taken by, before any zoom.
 CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& source) {
-  const ImageSize size = request.size.empty() ? ImageSize{source.width, source.height}
-                                              : flag_value<ImageSize>("size", request.size);
+  const ImageSize size =
+      request.size.empty() ? ImageSize{source.width, source.height} : picture_size("size", request.size);
   if (!request.lens_file.empty()) {
-    CalibratedCamera camera =
-        chosen_camera(read_calibration(request.lens_file), request.lens_camera, request.lens_file);
+    CalibratedCamera camera = read_camera(request.lens_file, request.lens_camera);
     return request.size.empty() ? camera : resized(camera, size.width, size.height);
   }
   const Pinhole base = pinhole_from_hfov(size.width, size.height, hfov_rad(source));

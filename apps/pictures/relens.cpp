@@ -54,8 +54,7 @@ std::vector<CameraPictures> sources(const RelensRequest& r) {
     cameras = kitti_raw(r.kitti);
     for (CameraPictures& c : cameras) c.camera.name = "kitti" + c.camera.name;
   }
-  if (!r.pictures.empty())
-    cameras.push_back({chosen_camera(read_calibration(r.lens), r.camera, r.lens), pictures_in(r.pictures)});
+  if (!r.pictures.empty()) cameras.push_back({read_camera(r.lens, r.camera), pictures_in(r.pictures)});
   return cameras;
 }
 
@@ -106,7 +105,7 @@ int cps_relens(const Arguments& arguments) {
   if (!parse_options(arguments, manual, describe(request), {}, values)) return 0;
   po::notify(values);
   request.options.lens.scheme = flag_value<LensScheme>("lens_draw", request.scheme);
-  if (!request.size.empty()) request.options.size = flag_value<ImageSize>("size", request.size);
+  if (!request.size.empty()) request.options.size = picture_size("size", request.size);
   if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   if (fs::exists(request.output)) throw std::runtime_error(request.output + ": exists; name a new folder");
   const ThreadLimit threads(values);

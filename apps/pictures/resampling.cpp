@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <stdexcept>
 
 #include "apps/threads.h"
@@ -60,11 +61,10 @@ Resampling resampling_of(const ResamplingRequest& request) {
   throw po::error("--resampling " + request.resampling + ": is none of footprint, nearest, depth");
 }
 
-Eigen::Vector2i first_size(const std::vector<PictureJob>& jobs) {
+ImageSize first_size(const std::vector<PictureJob>& jobs) {
   for (std::size_t i = 0;; ++i) {
     try {
-      const OIIO::ImageSpec spec = read_picture_header(jobs[i].input);
-      return {spec.width, spec.height};
+      return upright_size(jobs[i].input);
     } catch (const std::runtime_error&) {
       if (i + 1 == jobs.size()) throw;
     }
@@ -86,20 +86,57 @@ WarpOptions warp_options(const ResamplingRequest& request) {
           .require_resolution = false};
 }
 
+namespace {
+
+/// Throws before any work if an output, the label among them, would replace what is read.
+void refuse_replacing_inputs(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
+                             const fs::path& label) {
+  std::vector<fs::path> inputs, outputs{label};
+  for (const std::string& file : {request.lens_file, request.source_file})
+    if (!file.empty()) inputs.emplace_back(file);
+  for (const PictureJob& job : jobs) {
+    inputs.push_back(job.input);
+    outputs.push_back(job.output);
+  }
+  refuse_replacing(inputs, outputs);
+}
+
+}  // namespace
+
 int resample_pictures(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
                       const Pinhole& source, const CalibratedCamera& output, const std::string& remark,
                       const std::function<OIIO::ImageBuf(const OIIO::ImageBuf&)>& resample) {
   const Encoding encoding = encoding_from_string(request.encoding);
   const Resampling resampling = resampling_of(request);
   const fs::path label = label_path(request, jobs);
-  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
+  refuse_replacing_inputs(request, jobs, label);
+  // An older label must not stand beside new pictures, nor the new one beside older pictures.
+  fs::remove(label);
+  std::atomic<int> turned = 0, older = 0;
   const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
-    const Picture picture = read_picture(job.input, encoding, resampling, source.width, source.height);
-    write_picture(job.output, resample(picture.pixels), picture);
+    try {
+      const Picture picture = read_picture(job.input, encoding, resampling, source.width, source.height);
+      write_picture(job.output, resample(picture.pixels), picture);
+      turned += picture.was_turned ? 1 : 0;
+    } catch (...) {
+      older += fs::exists(job.output) ? 1 : 0;
+      throw;
+    }
   });
+  if (turned > 0)
+    fmt::print(stderr, "cps: {} pictures were turned upright, as their EXIF orientation says\n",
+               turned.load());
+  const auto made = static_cast<int>(jobs.size()) - failed;
+  if (older > 0)
+    throw std::runtime_error(fmt::format(
+        "{}: not written: {} of the pictures are of an earlier run, because they failed in this one: remove them "
+        "and run again",
+        label.string(), older.load()));
+  if (made == 0) return 1;
+  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
   fmt::print("{}: {} x {}, H-FOV {:.2f} degrees{}; {} pictures, {} failed\n", label.string(),
-             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)), remark,
-             jobs.size() - failed, failed);
+             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)), remark, made,
+             failed);
   return failed > 0 ? 1 : 0;
 }
 

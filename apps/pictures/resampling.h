@@ -15,7 +15,8 @@ namespace cps {
 struct ResamplingRequest {
   std::string input, output;
   std::string lens_file, lens_camera;
-  std::string size;  ///< WxH, or empty
+  std::string source_file;  ///< calibration of the input, when it is another file than the lens
+  std::string size;         ///< WxH, or empty
   std::string resampling = "footprint", encoding = "auto";
   std::string label_format = "cps", label_file;
   double sigma_px = 0.5;
@@ -30,8 +31,9 @@ void check(const ResamplingRequest& request);
 
 Resampling resampling_of(const ResamplingRequest& request);
 
-/// The size of the first picture whose header can be read. Throws std::runtime_error if there is none.
-Eigen::Vector2i first_size(const std::vector<PictureJob>& jobs);
+/// The upright size of the first picture whose header can be read. Throws std::runtime_error if there is
+/// none.
+ImageSize first_size(const std::vector<PictureJob>& jobs);
 
 /// The file for the label: --label, else in the output folder with the usual name of its format, or, for one
 /// picture, beside it as PICTURE_NAME.

@@ -52,16 +52,22 @@ void check_all(const UndistortRequest& request, const po::variables_map& values)
 }
 
 CalibratedCamera source_camera(const UndistortRequest& request, const std::vector<PictureJob>& jobs) {
-  const CalibratedCamera camera =
-      chosen_camera(read_calibration(request.lens_file), request.lens_camera, request.lens_file);
+  const CalibratedCamera camera = read_camera(request.lens_file, request.lens_camera);
   if (!request.rescale) return camera;
-  const Eigen::Vector2i size = first_size(jobs);
-  return resized(camera, size.x(), size.y());
+  const ImageSize size = first_size(jobs);
+  const Pinhole& own = camera.pinhole;
+  const double expected_height = double{size.width} * own.height / own.width;
+  if (std::abs(size.height - expected_height) > 1)
+    throw std::runtime_error(fmt::format(
+        "{}: --rescale: the calibration is for {} x {}, the pictures are {} x {}: another shape, so cropped "
+        "or of another mode of the camera; calibrate that",
+        request.lens_file, own.width, own.height, size.width, size.height));
+  return resized(camera, size.width, size.height);
 }
 
 Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& source) {
   const ImageSize size = request.size.empty() ? ImageSize{source.pinhole.width, source.pinhole.height}
-                                              : flag_value<ImageSize>("size", request.size);
+                                              : picture_size("size", request.size);
   if (request.hfov_deg > 0) return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
   const ViewFit fit =
       fit_straight_view(source, keep_from_string(request.keep), size.width, size.height, request.sigma_px);

@@ -65,7 +65,7 @@ LensView cropped_view(const Distortion& lens, const Camera& ideal) {
 
 LensView calibrated_view(const RenderRequest& request, const Camera& ideal) {
   const std::filesystem::path file = *request.lens;
-  CalibratedCamera calibrated = chosen_camera(read_calibration(file), request.lens_camera.value_or(""), file);
+  CalibratedCamera calibrated = read_camera(file, request.lens_camera.value_or(""));
   if (request.hfov_deg) throw po::error("--hfov: leave it out; the --lens file defines the field of view");
   if (request.size) calibrated = resized(calibrated, ideal.pinhole.width, ideal.pinhole.height);
   const FrameCertificate proof = certify_frame(calibrated.distortion, calibrated.pinhole, one_to_one);

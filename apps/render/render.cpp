@@ -47,8 +47,10 @@ void require_memory(const RenderRequest& request, const Scene& scene) {
 }
 
 LoadedScene load(const RenderRequest& request) {
-  Scene scene = request.memory_gib > 0 ? import_gltf(request.scene, nullptr, bytes_allowed(request))
+  Scene scene = request.memory_gib > 0 ? import_gltf(request.scene, bytes_allowed(request))
                                        : import_gltf(request.scene);
+  for (const std::string& warning : scene.import_warnings)
+    fmt::print(stderr, "{}: warning: {}\n", request.scene.string(), warning);
   if (request.materials == "diffuse") make_diffuse(scene);
   require_memory(request, scene);
   LoadedScene loaded{ideal_camera(request, scene), {}, build_render_scene(scene, request.light.daylight)};

@@ -78,10 +78,10 @@ Camera ideal_camera(const RenderRequest& request, const Scene& scene) {
   }
   const Eigen::Vector3d ahead = view.look_at - view.position;
   if (request.position) {
-    view.position = parse_point("position", *request.position);
+    view.position = parse_point("position", *request.position) - scene.origin;
     view.look_at = view.position + ahead;
   }
-  if (request.look_at) view.look_at = parse_point("look-at", *request.look_at);
+  if (request.look_at) view.look_at = parse_point("look-at", *request.look_at) - scene.origin;
   camera.world_from_camera = looking_at(view);
   return camera;
 }

@@ -54,7 +54,7 @@ EvaluationSet set_of(const Request& r) {
   if (!r.kitti.empty()) return kitti_evaluation_set(r.kitti);
   if (!r.pictures.empty()) {
     if (r.lens.empty()) throw po::error("--pictures needs the camera's calibration: add --lens FILE");
-    return picture_evaluation_set(r.pictures, chosen_camera(read_calibration(r.lens), r.camera, r.lens));
+    return picture_evaluation_set(r.pictures, read_camera(r.lens, r.camera));
   }
   const Part part = usage_checked([&] { return part_from_string(r.part); });
   if (part == Part::all) throw po::error("--part: use train, val or test");

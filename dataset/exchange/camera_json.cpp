@@ -1,6 +1,6 @@
 #include "dataset/exchange/camera_json.h"
 
-#include "dataset/exchange/formats.h"
+#include "dataset/exchange/formats/formats.h"
 #include "numbers/angles.h"
 
 namespace cps {

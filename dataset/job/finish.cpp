@@ -42,7 +42,10 @@ Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
                        {"traffic_seed", scene.city->traffic_seed},
                        {"traffic", scene.city->traffic}};
     entry["metres_per_unit"] = scene.metres_per_unit;
+    if (scene.is_z_up) entry["up"] = "z";
     entry["credits"] = scene.credits;
+    if (!scene.import_warnings.empty()) entry["import_warnings"] = scene.import_warnings;
+    if (!scene.origin.isZero()) entry["origin_m"] = {scene.origin.x(), scene.origin.y(), scene.origin.z()};
     entry["sha256"] = sha256[s];
     json.push_back(entry);
   }

@@ -36,7 +36,7 @@ struct Geometry {
   std::vector<Eigen::Vector2f> uv1;                     ///< empty or one per vertex
   std::vector<Eigen::Array<Eigen::half, 4, 1>> colors;  ///< empty or one per vertex
   const SurfaceMaterial* material = nullptr;
-  bool viewer_only = false;  ///< an inside-out shell: light passes, see inside_out.h
+  bool viewer_only = false;  ///< an enclosure or an inside-out shell: light passes
 
   /// Set 0 or 1. Geometry without a set 1 has set 0 in both.
   TriangleUv corner_uv(std::uint32_t triangle, int uv_set) const;

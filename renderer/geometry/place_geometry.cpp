@@ -74,7 +74,7 @@ Geometry make_geometry(const Mesh& mesh, const Eigen::Affine3f& transform, const
     vertex.tangent = pack_direction(tangent);
     vertex.bitangent_sign = (mesh.tangents[i].w() < 0) != mirrors ? -1.0f : 1.0f;
   }
-  geometry.viewer_only = !material->double_sided && is_inside_out(mesh);
+  geometry.viewer_only = mesh.is_enclosure || (!material->double_sided && is_inside_out(mesh));
   geometry.triangles = mesh.triangles;
   if (mirrors) {
     for (Eigen::Vector3i& triangle : geometry.triangles) std::swap(triangle.y(), triangle.z());

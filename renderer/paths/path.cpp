@@ -94,7 +94,10 @@ void scatter(Path& path, const Surface& surface) {
   // The first bounce finds most of the light: only later ones may be cut.
   if (path.shaded_vertices > 0 && !survives_roulette(path, roulette_before_ray, 1)) return;
 
+  // Half-transparent surfaces decide anew about each ray of the path.
+  const auto next_id = static_cast<std::uint32_t>(mix64(std::uint64_t{path.ray.id} + 1));
   path.ray = surface.leave(direction);
+  path.ray.id = next_id;
   path.pdf = sample.pdf;
   path.vertex_position = surface.position;
   path.vertex_normal = surface.geometric_normal;

@@ -103,7 +103,10 @@ void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesyst
     const int s = plan.conditions[plan.views[v].condition].scene;
     const DrivenScene driven = load(plan.scenes[s].file);
     plan.scenes[s].metres_per_unit = driven.metres_per_unit;
+    plan.scenes[s].is_z_up = driven.is_z_up;
     plan.scenes[s].credits = driven.scene.credits;
+    plan.scenes[s].import_warnings = driven.scene.import_warnings;
+    plan.scenes[s].origin = driven.scene.origin;
     const DrivableScene scene = drivable_scene(driven.scene, plan.scenes[s].file.string(), plan.recipe,
                                                streets_stream(plan.recipe, plan.scenes, s));
     DrawnPlace drawn;

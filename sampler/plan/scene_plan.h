@@ -15,9 +15,12 @@ namespace cps {
 struct PlannedScene {
   std::filesystem::path file;
   std::optional<CityOptions> city =
-      std::nullopt;            ///< options to make the file from; empty: the file is given
-  double metres_per_unit = 1;  ///< set when the scene is loaded
-  std::string credits = {};    ///< as the file states them; set when the scene is loaded
+      std::nullopt;                               ///< options to make the file from; empty: the file is given
+  double metres_per_unit = 1;                     ///< set when the scene is loaded
+  bool is_z_up = false;                           ///< the file is; set when the scene is loaded
+  std::string credits = {};                       ///< as the file states them; set when the scene is loaded
+  std::vector<std::string> import_warnings = {};  ///< set when the scene is loaded
+  Eigen::Vector3d origin = {0, 0, 0};             ///< Scene::origin, metres; set when the scene is loaded
 };
 
 /// Lists the recipe's scenes: its files, then its procedural cities as files in `city_folder`, those of

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "scenes/drive/drive_search.h"
+#include "scenes/drive/file_frame.h"
 #include "scenes/drive/route_file.h"
-#include "scenes/drive/unit_scale.h"
 #include "scenes/gltf_import.h"
 #include "scenes/routes.h"
 
@@ -18,6 +18,12 @@ double metres_per_unit(const Scene& scene, const DriveOptions& options) {
   return scene.lanes.empty() ? guess_unit_scale(scene) : 1;
 }
 
+bool can_be_driven_z_up(Scene scene) {
+  turn_z_up(scene);
+  const SceneRays rays(scene);
+  return !find_drives(ground_grid(scene, rays)).empty();
+}
+
 std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& file) {
   const SceneRays rays(scene);
   const GroundGrid ground = ground_grid(scene, rays);
@@ -25,9 +31,12 @@ std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& 
   if (drives.empty()) {
     const Eigen::Vector3f size = scene.bounds.sizes();
     throw std::runtime_error(fmt::format(
-        "{}: no way to drive was found ({:.0f} x {:.0f} x {:.0f} m, largest flat piece {:.0f} m2); "
-        "set --metres_per_unit or name a --route",
-        file.string(), size.x(), size.y(), size.z(), ground.area_m2));
+        "{}: no way to drive was found: {} ({:.0f} x {:.0f} x {:.0f} m); {}set --metres_per_unit or name a "
+        "--route",
+        file.string(),
+        ground.area_m2 > 0 ? fmt::format("the ground, {:.0f} m2, is too narrow", ground.area_m2)
+                           : "no flat ground has things beside it",
+        size.x(), size.y(), size.z(), can_be_driven_z_up(scene) ? "it looks z-up: try --up z, " : ""));
   }
   return drives;
 }
@@ -46,11 +55,13 @@ DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOpti
   DrivenScene driven{.scene = import_gltf(file)};
   Scene& scene = driven.scene;
   const bool has_lanes = !scene.lanes.empty();
+  driven.is_z_up = options.is_z_up;
+  if (options.is_z_up) turn_z_up(scene);
   const double scale = driven.metres_per_unit = metres_per_unit(scene, options);
   scale_scene(scene, scale);
   const char* lanes_are = "lanes";
   if (!options.route.empty()) {
-    scene.lanes = read_route(options.route, scale);
+    scene.lanes = read_route(options.route, {scale, options.is_z_up, scene.origin});
   } else if (!has_lanes) {
     scene.lanes = found_drives(scene, file);
     lanes_are = "drives found";

@@ -10,6 +10,7 @@ namespace cps {
 /// How to scale a scene to metres and give it lanes.
 struct DriveOptions {
   double metres_per_unit = 0;   ///< 0: automatic: 1 for a scene with lanes, else guessed
+  bool is_z_up = false;         ///< the file's z points up, against glTF's rule; route files, too
   std::filesystem::path route;  ///< CSV file (route_file.h); empty: the scene's lanes, else found drives
 };
 
@@ -17,6 +18,7 @@ struct DriveOptions {
 struct DrivenScene {
   Scene scene;
   double metres_per_unit = 1;  ///< of the file's units
+  bool is_z_up = false;        ///< the file is, and has been turned
   /// How scale and lanes were found, as a line to print: `littlest.glb: 0.01 m per unit (guessed), 12 drives
   /// found, 345 m`. Empty for a scene whose file has lanes in metres.
   std::string note = {};

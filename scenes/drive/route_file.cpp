@@ -42,7 +42,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& line) {
   return numbers;
 }
 
-std::vector<RoutePoint> read_points(const std::filesystem::path& file, double metres_per_unit) {
+std::vector<RoutePoint> read_points(const std::filesystem::path& file, const FileFrame& frame) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file))
     throw std::runtime_error(file.string() + ": cannot be read; name a route file, lines of x,y,z");
@@ -57,8 +57,9 @@ std::vector<RoutePoint> read_points(const std::filesystem::path& file, double me
     if (!values || (values->size() != 3 && values->size() != 4) || (columns && values->size() != columns))
       refuse(file, number, "must be x,y,z or x,y,z,heading_deg, numbers, the same on every line");
     columns = values->size();
-    RoutePoint point{.position = Eigen::Vector3d((*values)[0], (*values)[1], (*values)[2]) * metres_per_unit,
-                     .heading_rad = std::nullopt};
+    Eigen::Vector3d at((*values)[0], (*values)[1], (*values)[2]);
+    if (frame.is_z_up) at = {at.x(), at.z(), -at.y()};
+    RoutePoint point{.position = at * frame.metres_per_unit - frame.origin, .heading_rad = std::nullopt};
     if (!(point.position.norm() < 1e7)) refuse(file, number, "lies beyond 10,000 km");
     // Not by radians(), which rounds π / 180 first: datasets keep their bytes.
     if (columns == 4) point.heading_rad = (*values)[3] * std::numbers::pi / 180;
@@ -125,8 +126,8 @@ std::vector<Lane> lanes_through(const std::vector<RoutePoint>& points, int stret
 
 }  // namespace
 
-std::vector<Lane> read_route(const std::filesystem::path& file, double metres_per_unit) {
-  const std::vector<RoutePoint> points = read_points(file, metres_per_unit);
+std::vector<Lane> read_route(const std::filesystem::path& file, const FileFrame& frame) {
+  const std::vector<RoutePoint> points = read_points(file, frame);
   double whole_m = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
     whole_m += (points[i].position - points[i - 1].position).norm();

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "scenes/gltf/document/accessors.h"
+#include "scenes/gltf/geometry/flattened.h"
 #include "scenes/gltf/geometry/morphs.h"
 #include "scenes/gltf/geometry/skins.h"
 
@@ -55,18 +56,40 @@ std::vector<Eigen::Affine3d> repetitions(Document& document, const tinygltf::Nod
   return transforms;
 }
 
+/// Adds meshes whose transform has no inverse, each moved into the world.
+void add_flattened(MeshTable& meshes, const std::vector<int>& parts, const Eigen::Affine3f& world_from_mesh,
+                   const std::string& where) {
+  bool is_drawn = false;
+  for (const int part : parts) {
+    const Mesh& mesh = meshes.scene.meshes[part];
+    reserve_memory(meshes.document, where, mesh.positions.size() + mesh.triangles.size(),
+                   sizeof(Eigen::Vector4f));
+    Mesh flat = flattened(mesh, world_from_mesh);
+    if (flat.triangles.empty()) continue;
+    is_drawn = true;
+    meshes.scene.meshes.push_back(std::move(flat));
+    meshes.scene.instances.push_back(
+        {static_cast<int>(meshes.scene.meshes.size()) - 1, Eigen::Affine3f::Identity()});
+  }
+  if (!is_drawn) warn(meshes.document, where + ": its scale is 0 along two axes, not drawn");
+}
+
 void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::string& where) {
   Document& document = meshes.document;
   const tinygltf::Node& node = document.model.nodes[placed.node];
   const std::vector<double> weights = rest_weights(document, node);
   for (const Eigen::Affine3d& node_from_mesh : repetitions(document, node, where)) {
     const Eigen::Affine3f world_from_mesh = (placed.world_from_node * node_from_mesh).cast<float>();
-    if (!is_invertible(world_from_mesh)) {
-      warn(document, where + ": its scale is 0 along an axis, not drawn");
+    if (!world_from_mesh.matrix().allFinite()) {
+      warn(document, where + ": its transform is not finite, not drawn");
       continue;
     }
     const std::vector<int>& parts = shared_meshes(meshes, node.mesh, weights);
     reserve_memory(document, where, parts.size(), sizeof(Instance));
+    if (!is_invertible(world_from_mesh)) {
+      add_flattened(meshes, parts, world_from_mesh, where);
+      continue;
+    }
     for (const int mesh : parts) meshes.scene.instances.push_back({mesh, world_from_mesh});
   }
 }
@@ -77,7 +100,7 @@ void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
   Document& document = meshes.document;
   for (const PlacedNode& place : placed) {
     const tinygltf::Node& node = document.model.nodes[place.node];
-    if (node.mesh == -1) continue;
+    if (node.mesh == -1 || !place.is_visible) continue;
     const std::string where = element("nodes", place.node);
     if (!in_range(node.mesh, document.model.meshes))
       refuse(document, where + ".mesh", std::to_string(node.mesh) + " does not exist");

@@ -6,12 +6,13 @@
 namespace cps::gltf {
 namespace {
 
-Eigen::Vector3f read_point(const Document& document, const tinygltf::Value& value, const std::string& where) {
+Eigen::Vector3f read_point(const Document& document, const tinygltf::Value& value,
+                           const Eigen::Vector3d& origin, const std::string& where) {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();
   bool valid = value.ArrayLen() == 3;
   for (int c = 0; c < 3 && valid; ++c) {
     valid = value.Get(c).IsNumber();
-    point[c] = static_cast<float>(value.Get(c).GetNumberAsDouble());
+    point[c] = static_cast<float>(value.Get(c).GetNumberAsDouble() - origin[c]);
   }
   if (!valid || !point.allFinite())
     refuse(document, where, "must be three finite numbers: x, y, z in metres");
@@ -23,7 +24,8 @@ bool has_control_character(const std::string& text) {
   return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
 }
 
-Lane read_lane(const Document& document, const tinygltf::Value& value, const std::string& where) {
+Lane read_lane(const Document& document, const tinygltf::Value& value, const Eigen::Vector3d& origin,
+               const std::string& where) {
   if (!value.IsObject() || !value.Has("street") || !value.Get("street").IsString())
     refuse(document, where + ".street", "must be the name of the lane's street");
   Lane lane;
@@ -39,7 +41,7 @@ Lane read_lane(const Document& document, const tinygltf::Value& value, const std
   const tinygltf::Value& points = value.Get("points");
   for (std::size_t i = 0; i < points.ArrayLen(); ++i) {
     const std::string name = where + "." + element("points", i);
-    lane.points.push_back(read_point(document, points.Get(static_cast<int>(i)), name));
+    lane.points.push_back(read_point(document, points.Get(static_cast<int>(i)), origin, name));
     if (i > 0 && lane.points[i] == lane.points[i - 1]) refuse(document, name, "repeats the point before it");
   }
   if (lane.points.size() < 2) refuse(document, where + ".points", "must be at least two points");
@@ -88,7 +90,7 @@ std::vector<LaneStretch> read_occupied(const Document& document, const tinygltf:
 
 }  // namespace
 
-std::vector<Lane> read_lanes(const Document& document, int scene) {
+std::vector<Lane> read_lanes(const Document& document, int scene, const Eigen::Vector3d& origin) {
   std::vector<Lane> lanes;
   if (scene == -1) return lanes;
   const tinygltf::Value& extras = document.model.scenes[scene].extras;
@@ -99,7 +101,7 @@ std::vector<Lane> read_lanes(const Document& document, int scene) {
   const int count = static_cast<int>(list.ArrayLen());
   for (int i = 0; i < count; ++i) {
     const std::string name = where + "[" + std::to_string(i) + "]";
-    lanes.push_back(read_lane(document, list.Get(i), name));
+    lanes.push_back(read_lane(document, list.Get(i), origin, name));
     lanes.back().next = read_next(document, list.Get(i), count, name);
     lanes.back().occupied = read_occupied(document, list.Get(i), name);
   }

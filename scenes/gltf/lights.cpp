@@ -44,7 +44,7 @@ void add_lights(Document& document, std::span<const PlacedNode> placed, Scene& s
   for (const PlacedNode& place : placed) {
     const tinygltf::ExtensionMap& extensions = document.model.nodes[place.node].extensions;
     const auto extension = extensions.find("KHR_lights_punctual");
-    if (extension == extensions.end()) continue;
+    if (extension == extensions.end() || !place.is_visible) continue;
     const std::string where = element("nodes", place.node) + ".KHR_lights_punctual.light";
     const bool is_index = extension->second.Has("light") && extension->second.Get("light").IsInt();
     const int index = is_index ? extension->second.Get("light").GetNumberAsInt() : -1;

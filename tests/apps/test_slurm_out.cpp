@@ -35,3 +35,18 @@ TEST_CASE("cps-slurm finishes the folder that is named, however the option is wr
     CHECK_THAT(submitted, Catch::EndsWith("cps-finish.sbatch data\n"));
   }
 }
+
+TEST_CASE("cps-slurm passes on names with spaces and other letters whole") {
+  const TemporaryFolder folder;
+  const fs::path calls = folder.path / "calls";
+  write_program(folder.path / "scontrol", "echo MaxArraySize = 1001");
+  write_program(folder.path / "sbatch", "printf '<%s>' \"$@\" >> '" + calls.string() + "'; echo 7");
+  CHECK(
+      std::system(("PATH=" + folder.path.string() +
+                   ":$PATH CPS=true " CPS_SOURCE
+                   "/apps/slurm/cps-slurm 2 -- --recipe 'mein Rezept.cfg' --out 'Straßen am Fluß' >/dev/null")
+                      .c_str()) == 0);
+  const std::string submitted = read_file(calls);
+  CHECK_THAT(submitted, Catch::Contains("<--recipe><mein Rezept.cfg><--out><Straßen am Fluß>"));
+  CHECK_THAT(submitted, Catch::EndsWith("<Straßen am Fluß>"));
+}

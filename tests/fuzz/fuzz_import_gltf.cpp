@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   write_file(file, data, size);
   cps::Scene scene;
   try {
-    scene = cps::import_gltf(file, nullptr, max_decoded_bytes);
+    scene = cps::import_gltf(file, max_decoded_bytes);
   } catch (const std::runtime_error& refusal) {
     if (is_good_refusal(refusal.what(), file)) return 0;
     std::fprintf(stderr, "refused with \"%s\"\n", refusal.what());

@@ -8,7 +8,10 @@
 
 #include "scenes/gltf/document/data_uris.h"
 #include "scenes/gltf/document/draco.h"
+#include "scenes/gltf/document/external_files.h"
 #include "scenes/gltf/document/json_checks.h"
+#include "scenes/gltf/document/meshopt.h"
+#include "scenes/gltf/document/tinygltf_gaps.h"
 
 namespace cps::gltf {
 namespace {
@@ -97,30 +100,41 @@ bool keep_image_bytes(tinygltf::Image* image, int, std::string*, std::string*, i
   return true;
 }
 
-/// The glTF file's folder, and how many bytes may still be read from files in it. The limit is on the total
-/// because a thousand buffers can name the same large file.
-struct Folder {
-  std::string path;
+/// The files that tinygltf may read, and how many bytes it may still read from them. The limit is on the
+/// total because a thousand buffers can name the same large file.
+struct ReadableFiles {
+  ExternalFiles files;
   std::size_t bytes_left;
+
+  /// The file with the stand-in name that `path` ends with.
+  const ExternalFiles::File* find(const std::string& path) const {
+    const auto found = files.by_stand_in.find(std::filesystem::path(path).filename().string());
+    return found == files.by_stand_in.end() ? nullptr : &found->second;
+  }
 };
 
-/// Lets tinygltf read files beside the glTF file only: by itself it would look in the current directory too.
-tinygltf::FsCallbacks files_beside(Folder* folder) {
+/// Lets tinygltf read these files only: by itself it would look in the current directory too.
+tinygltf::FsCallbacks callbacks_for(ReadableFiles* readable) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.FileExists = [](const std::string& path, void* user) {
+    const ExternalFiles::File* file = static_cast<ReadableFiles*>(user)->find(path);
     std::error_code error;
-    return path.starts_with(static_cast<Folder*>(user)->path + "/") &&
-           std::filesystem::is_regular_file(path, error);
+    return file != nullptr && std::filesystem::is_regular_file(file->path, error);
   };
   callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
   callbacks.ReadWholeFile = [](Bytes* out, std::string* error, const std::string& path, void* user) {
-    std::size_t& bytes_left = static_cast<Folder*>(user)->bytes_left;
-    std::string why;
-    if (read_bytes(path, bytes_left, *out, why)) return bytes_left -= out->size(), true;
-    if (error) *error += why;
+    auto& readable = *static_cast<ReadableFiles*>(user);
+    const ExternalFiles::File* file = readable.find(path);
+    std::string why = "no such file";
+    if (file != nullptr && read_bytes(file->path, readable.bytes_left, *out, why)) {
+      readable.bytes_left -= out->size();
+      if (file->byte_length != 0 && out->size() > file->byte_length) out->resize(file->byte_length);
+      return true;
+    }
+    if (error) *error += (file != nullptr ? file->uri : path) + ": " + why;
     return false;
   };
-  callbacks.user_data = folder;
+  callbacks.user_data = readable;
   return callbacks;
 }
 
@@ -138,27 +152,33 @@ Document read_document(const std::filesystem::path& file, std::size_t max_decode
   if (text.size() > max_decoded_bytes / max_json_growth)
     refuse(file, "JSON", "is longer than " + std::to_string(max_decoded_bytes / max_json_growth) + " bytes");
   nlohmann::json root = parse_checked_json(file, text);
-  const bool draco_changed = complete_draco_accessors(root), uris_changed = complete_data_uris(root);
-  if (draco_changed || uris_changed) bytes = with_json(bytes, root.dump());
-
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
   Document document{.file = file, .max_decoded_bytes = max_decoded_bytes};
-  Folder folder{file.has_parent_path() ? file.parent_path().string() : ".", max_decoded_bytes};
+  for (const std::string& warning : fill_tinygltf_gaps(root)) warn(document, warning);
+  complete_draco_accessors(root);
+  complete_meshopt_buffers(root);
+  complete_data_uris(root);
+  ReadableFiles readable{replace_file_uris(file, folder, root), max_decoded_bytes};
+  bytes = with_json(bytes, root.dump());
+
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_image_bytes, nullptr);
-  reader.SetFsCallbacks(files_beside(&folder));
+  reader.SetFsCallbacks(callbacks_for(&readable));
   std::string error, remarks;
   bool loaded = false;
   try {
     const auto size = static_cast<unsigned int>(bytes.size());
-    loaded =
-        glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder.path)
-            : reader.LoadASCIIFromString(&document.model, &error, &remarks,
-                                         reinterpret_cast<const char*>(bytes.data()), size, folder.path);
+    loaded = glb ? reader.LoadBinaryFromMemory(&document.model, &error, &remarks, bytes.data(), size, folder)
+                 : reader.LoadASCIIFromString(&document.model, &error, &remarks,
+                                              reinterpret_cast<const char*>(bytes.data()), size, folder);
   } catch (const std::exception& exception) {
     error = exception.what();
   }
   // tinygltf also returns true after errors that made it drop a part of the file.
   if (!loaded || !error.empty()) refuse(file, "glTF", error.empty() ? "cannot be parsed" : error);
+  for (tinygltf::Image& image : document.model.images)
+    if (const ExternalFiles::File* external = readable.find(image.uri)) image.uri = external->uri;
+  decode_meshopt_views(document);
   return document;
 }
 

@@ -6,12 +6,11 @@
 
 namespace cps::gltf {
 
-bool complete_data_uris(nlohmann::json& root) {
+void complete_data_uris(nlohmann::json& root) {
   constexpr std::string_view general = "data:application/octet-stream;base64,";
   constexpr std::array known = {general, std::string_view("data:image/png;base64,"),
                                 std::string_view("data:image/jpeg;base64,"),
                                 std::string_view("data:application/gltf-buffer;base64,")};
-  bool changed = false;
   for (const char* list : {"buffers", "images"}) {
     const auto found = root.find(list);
     if (found == root.end() || !found->is_array()) continue;
@@ -24,10 +23,8 @@ bool complete_data_uris(nlohmann::json& root) {
       const std::size_t comma = text.find(',');
       if (comma == text.npos || !std::string_view(text).substr(0, comma).ends_with(";base64")) continue;
       text.replace(0, comma + 1, general);
-      changed = true;
     }
   }
-  return changed;
 }
 
 }  // namespace cps::gltf

@@ -5,8 +5,7 @@
 namespace cps::gltf {
 
 /// Renames the media type of data URIs that tinygltf would refuse (image/webp is one) to
-/// application/octet-stream; the importer recognises images by content anyway. Returns whether the JSON
-/// changed.
-bool complete_data_uris(nlohmann::json& root);
+/// application/octet-stream; the importer recognises images by content anyway.
+void complete_data_uris(nlohmann::json& root);
 
 }  // namespace cps::gltf

@@ -136,11 +136,10 @@ int add_attribute(Document& document, const draco::Mesh& mesh, int id, bool norm
 
 }  // namespace
 
-bool complete_draco_accessors(nlohmann::json& root) {
+void complete_draco_accessors(nlohmann::json& root) {
   const nlohmann::json::json_pointer view("/extensions/" + std::string(extension_name) + "/bufferView");
-  if (!root.contains("meshes") || !root.contains("accessors")) return false;
+  if (!root.contains("meshes") || !root.contains("accessors")) return;
   nlohmann::json& accessors = root["accessors"];
-  bool changed = false;
   for (const auto& mesh : root["meshes"]) {
     if (!mesh.contains("primitives")) continue;
     for (const auto& primitive : mesh["primitives"]) {
@@ -148,10 +147,8 @@ bool complete_draco_accessors(nlohmann::json& root) {
       const std::size_t index = primitive["indices"];
       if (index >= accessors.size() || accessors[index].contains("bufferView")) continue;
       accessors[index]["bufferView"] = primitive[view];
-      changed = true;
     }
   }
-  return changed;
 }
 
 tinygltf::Primitive without_draco(Document& document, const tinygltf::Primitive& primitive,

@@ -7,11 +7,21 @@ namespace cps::gltf {
 namespace {
 
 bool is_supported(const std::string& extension) {
-  constexpr std::array names = {
-      "EXT_mesh_gpu_instancing", "EXT_texture_webp",        "KHR_draco_mesh_compression",
-      "KHR_lights_punctual",     "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",       "KHR_materials_specular",  "KHR_materials_transmission",
-      "KHR_materials_unlit",     "KHR_mesh_quantization",   "KHR_texture_transform"};
+  constexpr std::array names = {"EXT_mesh_gpu_instancing",
+                                "EXT_meshopt_compression",
+                                "EXT_texture_webp",
+                                "KHR_draco_mesh_compression",
+                                "KHR_lights_punctual",
+                                "KHR_materials_clearcoat",
+                                "KHR_materials_emissive_strength",
+                                "KHR_materials_ior",
+                                "KHR_materials_specular",
+                                "KHR_materials_transmission",
+                                "KHR_materials_pbrSpecularGlossiness",
+                                "KHR_materials_unlit",
+                                "KHR_mesh_quantization",
+                                "KHR_node_visibility",
+                                "KHR_texture_transform"};
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,12 +17,13 @@ struct PrimitiveReader {
   std::string where;
   std::vector<std::uint32_t> vertices;
   std::size_t vertex_count;  ///< in the accessors, unused ones included
+  std::array<std::string, 2> uv_names = {"TEXCOORD_0", "TEXCOORD_1"};  ///< what becomes uv0 and uv1
 };
 
 /// An attribute's vectors, one per vertex of the mesh; empty if the primitive lacks it. Refuses an attribute
 /// that has not as many elements as POSITION.
 template <int N>
-std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, const char* name) {
+std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, const std::string& name) {
   const auto found = reader.primitive.attributes.find(name);
   if (found == reader.primitive.attributes.end()) return {};
   const std::string where = reader.where + "." + name;
@@ -34,7 +36,8 @@ std::vector<Eigen::Matrix<float, N, 1>> read_attribute(PrimitiveReader& reader, 
 }
 
 template <int N>
-std::vector<Eigen::Matrix<float, N, 1>> read_finite_attribute(PrimitiveReader& reader, const char* name) {
+std::vector<Eigen::Matrix<float, N, 1>> read_finite_attribute(PrimitiveReader& reader,
+                                                              const std::string& name) {
   auto vectors = read_attribute<N>(reader, name);
   for (std::size_t i = 0; i < vectors.size(); ++i)
     if (!vectors[i].allFinite())

@@ -7,7 +7,7 @@ namespace {
 
 /// `values[i] += weight · displacement[i]`; a tangent's handedness stays.
 template <int N, int M>
-void add_displacements(PrimitiveReader& target, const char* name, float weight,
+void add_displacements(PrimitiveReader& target, const std::string& name, float weight,
                        std::vector<Eigen::Matrix<float, M, 1>>& values) {
   if (values.empty()) return;
   const auto displacements = read_finite_attribute<N>(target, name);
@@ -30,13 +30,13 @@ void apply_morph_targets(PrimitiveReader& reader, std::span<const double> weight
     if (weight == 0) continue;
     tinygltf::Primitive displacements;
     displacements.attributes = reader.primitive.targets[i];
-    PrimitiveReader target{reader.document, displacements, reader.where + "." + element("targets", i),
-                           reader.vertices, reader.vertex_count};
+    PrimitiveReader target{reader.document, displacements,       reader.where + "." + element("targets", i),
+                           reader.vertices, reader.vertex_count, reader.uv_names};
     add_displacements<3>(target, "POSITION", weight, mesh.positions);
     add_displacements<3>(target, "NORMAL", weight, mesh.normals);
     add_displacements<3>(target, "TANGENT", weight, mesh.tangents);
-    add_displacements<2>(target, "TEXCOORD_0", weight, mesh.uv0);
-    add_displacements<2>(target, "TEXCOORD_1", weight, mesh.uv1);
+    add_displacements<2>(target, target.uv_names[0], weight, mesh.uv0);
+    add_displacements<2>(target, target.uv_names[1], weight, mesh.uv1);
   }
 }
 

@@ -1,6 +1,8 @@
 #include "scenes/gltf/geometry/primitives.h"
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "scenes/gltf/geometry/attributes.h"
 #include "scenes/gltf/geometry/morphs.h"
@@ -65,35 +67,52 @@ void complete_frames(PrimitiveReader& reader, const Material& material, Mesh& me
   if (mesh.tangents.empty()) make_tangents(mesh, normal_map);
 }
 
-/// Deforms the mesh by its joints. Without JOINTS_0 and WEIGHTS_0 it only warns.
+/// Deforms the mesh by its joints. Without JOINTS_0 and WEIGHTS_0 it only warns; triangles with a vertex
+/// without weights have no place and are left out.
 void apply_skin(PrimitiveReader& reader, std::span<const Eigen::Affine3f> joint_transforms, Mesh& mesh) {
   const auto joints = read_finite_attribute<4>(reader, "JOINTS_0");
-  const auto weights = read_finite_attribute<4>(reader, "WEIGHTS_0");
+  auto weights = read_finite_attribute<4>(reader, "WEIGHTS_0");
   if (joints.empty() || weights.empty()) {
     warn(reader.document, reader.where + ": has a skin but no JOINTS_0 and WEIGHTS_0, drawn as it is");
     return;
   }
+  std::set<int> weightless;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const float count = static_cast<float>(joint_transforms.size());
-    const bool valid = joints[i].minCoeff() >= 0 && joints[i].maxCoeff() < count &&
-                       weights[i].minCoeff() >= 0 && weights[i].sum() > 0;
+    const bool valid =
+        joints[i].minCoeff() >= 0 && joints[i].maxCoeff() < count && weights[i].minCoeff() >= 0;
     if (!valid)
-      refuse(reader.document, reader.where + ".JOINTS_0",
-             "vertex " + std::to_string(reader.vertices[i]) + " has no joint of its skin or no weight");
+      refuse(
+          reader.document, reader.where + ".JOINTS_0",
+          "vertex " + std::to_string(reader.vertices[i]) + " has no joint of its skin or a weight below 0");
+    if (weights[i].sum() > 0) continue;
+    weightless.insert(static_cast<int>(i));
+    weights[i].x() = 1;
+  }
+  if (!weightless.empty()) {
+    warn(reader.document, reader.where + ".WEIGHTS_0: " + std::to_string(weightless.size()) +
+                              " vertices have no weight, their triangles are not drawn");
+    std::erase_if(mesh.triangles, [&](const Eigen::Vector3i& triangle) {
+      return std::ranges::any_of(triangle, [&](int vertex) { return weightless.contains(vertex); });
+    });
   }
   blend_to_joints(mesh, joints, weights, joint_transforms);
 }
 
 /// Refuses positions and coordinates that morph weights or joints made too large for a float.
 void check_finite(const PrimitiveReader& reader, const Mesh& mesh) {
-  const auto check = [&](const auto& values, const char* name) {
+  const auto check = [&](const auto& values, const std::string& name) {
     for (const auto& value : values)
       if (!value.allFinite())
         refuse(reader.document, reader.where + "." + name, "is not finite in the rest pose");
   };
   check(mesh.positions, "POSITION");
-  check(mesh.uv0, "TEXCOORD_0");
-  check(mesh.uv1, "TEXCOORD_1");
+  check(mesh.uv0, reader.uv_names[0]);
+  check(mesh.uv1, reader.uv_names[1]);
+}
+
+bool is_empty(const Document& document, int accessor) {
+  return in_range(accessor, document.model.accessors) && document.model.accessors[accessor].count == 0;
 }
 
 }  // namespace
@@ -113,6 +132,11 @@ Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive, c
     warn(document, where + ": has no POSITION and is not drawn");
     return mesh;
   }
+  if (is_empty(document, position->second) ||
+      (primitive.indices != -1 && is_empty(document, primitive.indices))) {
+    warn(document, where + ": is empty and not drawn");
+    return mesh;
+  }
   const std::size_t vertex_count = elements(document, position->second, where + ".POSITION").count;
   CompactTriangles compacted =
       compact(document, read_corners(document, primitive, vertex_count, where), where);
@@ -121,13 +145,14 @@ Mesh make_mesh(MaterialTable& materials, const tinygltf::Primitive& primitive, c
   mesh.positions = read_finite_attribute<3>(reader, "POSITION");
   mesh.normals = read_attribute<3>(reader, "NORMAL");
   mesh.tangents = read_attribute<4>(reader, "TANGENT");
-  mesh.uv0 = read_finite_attribute<2>(reader, "TEXCOORD_0");
-  mesh.uv1 = read_finite_attribute<2>(reader, "TEXCOORD_1");
+  mesh.material = material_index(materials, primitive.material, where);
+  for (int i : {0, 1}) reader.uv_names[i] = "TEXCOORD_" + std::to_string(materials.uv_sets[mesh.material][i]);
+  mesh.uv0 = read_finite_attribute<2>(reader, reader.uv_names[0]);
+  mesh.uv1 = read_finite_attribute<2>(reader, reader.uv_names[1]);
   mesh.colors = read_colors(reader);
   apply_morph_targets(reader, pose.weights, mesh);
   if (!pose.joint_transforms.empty()) apply_skin(reader, pose.joint_transforms, mesh);
   check_finite(reader, mesh);
-  mesh.material = material_index(materials, primitive.material, where);
   const Material& material = materials.scene.materials[mesh.material];
   complete_uv(reader, material, mesh);
   complete_frames(reader, material, mesh);

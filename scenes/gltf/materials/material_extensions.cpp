@@ -1,6 +1,7 @@
 #include "scenes/gltf/materials/material_extensions.h"
 
 #include "scenes/gltf/materials/factors.h"
+#include "scenes/gltf/materials/specular_glossiness.h"
 #include "scenes/gltf/materials/textures.h"
 
 namespace cps::gltf {
@@ -60,6 +61,29 @@ void read_emissive_strength(const Extension& from, Material& to) {
   to.emissive *= from.number("emissiveStrength", 1, 1e9);
 }
 
+/// Diffuse colour, colour of reflection at normal incidence, and gloss: a dielectric with that reflectance.
+void read_specular_glossiness(const Extension& from, Material& to) {
+  Document& document = from.table.document;
+  const auto diffuse = extension_numbers(document, from.value, "diffuseFactor", {1, 1, 1, 1}, from.where),
+             specular = extension_numbers(document, from.value, "specularFactor", {1, 1, 1}, from.where);
+  constexpr float default_reflectance = 0.04f;  // of Material::ior 1.5, which specular_color multiplies
+  for (int c = 0; c < 4; ++c)
+    to.base_color[c] = factor(document, diffuse[c], 1, from.where + ".diffuseFactor");
+  for (int c = 0; c < 3; ++c)
+    to.specular_color[c] =
+        factor(document, specular[c], 1, from.where + ".specularFactor") / default_reflectance;
+  to.base_color_texture = from.texture("diffuseTexture", true);
+  to.specular_color_texture = from.texture("specularGlossinessTexture", true);
+  to.metallic = 0;
+  const float glossiness = from.number("glossinessFactor", 1, 1);
+  to.roughness = 1 - glossiness;
+  to.metallic_roughness_texture = from.texture("specularGlossinessTexture");
+  if (to.metallic_roughness_texture.texture == -1) return;
+  to.roughness = 1;
+  to.metallic_roughness_texture.texture =
+      roughness_texture(from.table, to.metallic_roughness_texture.texture, glossiness);
+}
+
 void read_unlit(const Extension&, Material& to) {
   to.unlit = true;
 }
@@ -70,6 +94,7 @@ void read_material_extensions(MaterialTable& table, const tinygltf::ExtensionMap
                               const std::string& where, Material& material) {
   using Reader = void (*)(const Extension&, Material&);
   constexpr std::pair<const char*, Reader> readers[] = {
+      {"KHR_materials_pbrSpecularGlossiness", read_specular_glossiness},
       {"KHR_materials_ior", read_ior},
       {"KHR_materials_specular", read_specular},
       {"KHR_materials_clearcoat", read_clearcoat},

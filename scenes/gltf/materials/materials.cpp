@@ -6,6 +6,7 @@
 #include "scenes/gltf/materials/factors.h"
 #include "scenes/gltf/materials/material_extensions.h"
 #include "scenes/gltf/materials/textures.h"
+#include "scenes/gltf/materials/uv_sets.h"
 
 namespace cps::gltf {
 namespace {
@@ -58,6 +59,7 @@ int material_index(MaterialTable& table, int gltf_material, const std::string& w
   if (is_new) {
     Material material;
     if (gltf_material != -1) material = make_material(table, gltf_material);
+    table.uv_sets.push_back(choose_uv_sets(table.document, material, element("materials", gltf_material)));
     table.scene.materials.push_back(std::move(material));
     found->second = static_cast<int>(table.scene.materials.size()) - 1;
   }

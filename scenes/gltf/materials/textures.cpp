@@ -93,8 +93,7 @@ TextureSlot texture_slot(MaterialTable& table, int index, int uv_set,
                         Eigen::Rotation2Dd(-rotation).cast<float>() *
                         Eigen::Scaling(static_cast<float>(scale[0]), static_cast<float>(scale[1]));
   }
-  if (slot.uv_set < 0 || slot.uv_set > 1)
-    refuse(document, where, "uses TEXCOORD_" + std::to_string(slot.uv_set) + ", only sets 0 and 1 are read");
+  if (slot.uv_set < 0) refuse(document, where, "uses TEXCOORD_" + std::to_string(slot.uv_set));
   return slot;
 }
 

@@ -3,9 +3,7 @@
 #include <limits>
 #include <opencv2/core.hpp>
 
-#include "dataset/exchange/calibration_file.h"
-#include "files/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/dataset/exchange/read_text.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -25,28 +23,13 @@ const CalibratedCamera odd{
     {.k1 = -0.3728755, .k2 = 0.2037299 / 7, .k3 = -0.07233722, .p1 = 2.219027e-3, .p2 = -1.383707e-9 / 3}};
 
 fs::path fresh_file(const std::string& name) {
-  static const TemporaryFolder folder;
-  fs::remove(folder.path / name);
-  return folder.path / name;
-}
-
-std::string refusal(const std::string& name, const std::string& text) {
-  const fs::path file = fresh_file(name);
-  write_file(file, text);
-  try {
-    read_calibration(file);
-  } catch (const std::runtime_error& error) {
-    CHECK_THAT(error.what(), Catch::StartsWith(file.string() + ": "));
-    CHECK(std::string(error.what()).find('\n') == std::string::npos);
-    return error.what();
-  }
-  return "accepted";
+  const fs::path file = file_of(name, "");
+  fs::remove(file);
+  return file;
 }
 
 std::vector<CalibratedCamera> from_text(const std::string& name, const std::string& text) {
-  const fs::path file = fresh_file(name);
-  write_file(file, text);
-  return read_calibration(file);
+  return read_calibration(file_of(name, text));
 }
 
 }  // namespace
@@ -92,9 +75,9 @@ TEST_CASE("formats for several cameras keep them apart, formats for one refuse s
     const std::vector<CalibratedCamera> read = read_calibration(file);
     REQUIRE(read.size() == 2);
     CHECK(read[0].name == "02");
-    CHECK(chosen_camera(read, "03", file).pinhole.cx == Approx(711));
-    CHECK_THROWS_WITH(chosen_camera(read, "", file), Catch::Contains("choose one of 02 03"));
-    CHECK_THROWS_WITH(chosen_camera(read, "7", file), Catch::Contains("'7' is none of"));
+    CHECK(read_camera(file, "03").pinhole.cx == Approx(711));
+    CHECK_THROWS_WITH(read_camera(file, ""), Catch::Contains("choose one of 02 03"));
+    CHECK_THROWS_WITH(read_camera(file, "7"), Catch::Contains("'7' is none of"));
   }
   const fs::path file = fresh_file("two.yml");
   CHECK_THROWS_WITH(write_calibration(file, CalibrationFormat::opencv_yaml, both),
@@ -196,7 +179,8 @@ TEST_CASE("impossible numbers and models other than Brown–Conrady are refused 
   CHECK_THAT(colmap("OPENCV 640 480 0 501 320 240 0 0 0 0"), Catch::Contains("fx, fy"));
   CHECK_THAT(colmap("OPENCV 640 480 500 501 320 240 nan 0 0 0"), Catch::Contains("must be finite"));
   CHECK_THAT(colmap("OPENCV 640 480 500 501 640.5 240 0 0 0 0"), Catch::Contains("principal point"));
-  CHECK_THAT(colmap("OPENCV 640 4800000 500 501 320 240 0 0 0 0"), Catch::Contains("sizes in pixels"));
+  CHECK_THAT(colmap("OPENCV 640 4800000 500 501 320 240 0 0 0 0"),
+             Catch::Contains("HEIGHT: must be a size in whole pixels"));
   CHECK_THAT(colmap("OPENCV 640 400000 500 501 320 240 0 0 0 0"), Catch::Contains("width, height"));
   CHECK_THAT(colmap("OPENCV 640 x 500 501 320 240 0 0 0 0"), Catch::Contains("'x' is not a number"));
   const auto kalibr = [](const std::string& models) {
@@ -213,6 +197,8 @@ TEST_CASE("impossible numbers and models other than Brown–Conrady are refused 
   CHECK_THAT(refusal("a.json", "{}"), Catch::Contains("no calibration in it"));
   CHECK_THAT(refusal("a.yaml", "camera_matrix: [1, 2\nb"), Catch::Contains("is not YAML"));
   CHECK_THAT(refusal("a.yaml", "camera_matrix: 7\nimage_width: 6\nimage_height: 5\n"),
+             Catch::Contains("camera_matrix: must be a list of numbers"));
+  CHECK_THAT(refusal("a.yaml", "camera_matrix: {rows: 3}\nimage_width: 6\nimage_height: 5\n"),
              Catch::Contains("data: is missing"));
   CHECK_THAT(refusal("a.xml", "<opencv_storage><a>"), Catch::Contains("is not XML"));
   CHECK_THAT(refusal("kitti.txt", "K_00: 1 0 0 0 1 0 0 0 1\n"), Catch::Contains("S_00: is missing"));

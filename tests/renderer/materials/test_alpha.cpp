@@ -131,3 +131,29 @@ TEST_CASE("Light behind several half-transparent surfaces is the product, in pac
   render_scene.bvh.transmittance_coherent(rays, active, transmittance);
   for (const Color& t : transmittance) CHECK(t.x() == Approx(expected));
 }
+
+TEST_CASE("A half-transparent sheet decides anew at each bounce, alike on both triangles of a quad") {
+  Scene scene;
+  Material sheet = lambert({0, 0, 0, 0.5f});
+  sheet.alpha_mode = AlphaMode::blend;
+  sheet.double_sided = true;
+  scene.materials = {lambert({0.5f, 0.5f, 0.5f, 1}), sheet};
+  add(scene, quad({-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}));
+  add(scene, quad({-500, 1, 500}, {1000, 0, 0}, {0, 0, -1000}, 1));
+  const RenderScene built(scene, constant_light(1));
+  constexpr int side = 16;
+  const OIIO::ImageBuf image =
+      render(built, camera({0, 3, 0.001f}, {0, 0, 0}, side, side, 40), {.samples = 1024});
+  // The quad's diagonal crosses the picture's middle.
+  double sums[2] = {0, 0};
+  int pixels[2] = {0, 0};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      if (x + y == side - 1) continue;
+      const int half = x + y < side - 1 ? 0 : 1;
+      sums[half] += image.getchannel(x, y, 0, 0);
+      ++pixels[half];
+    }
+  // Half of the samples see the sheet, which is black; the others ground in half of the sky's light.
+  for (int half : {0, 1}) CHECK(sums[half] / pixels[half] == Approx(0.125).epsilon(0.01));
+}

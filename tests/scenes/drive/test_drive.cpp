@@ -1,12 +1,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <set>
 
 #include "scenes/clearance.h"
 #include "scenes/drive/drive_search.h"
+#include "scenes/drive/file_frame.h"
 #include "scenes/drive/route_file.h"
-#include "scenes/drive/unit_scale.h"
 #include "scenes/routes.h"
 #include "tests/scenes/box.h"
 #include "tests/temporary_folder.h"
@@ -43,7 +44,7 @@ Scene street() {
 std::vector<Lane> route_of(const std::string& text, double scale = 1) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "drive.csv") << text;
-  return read_route(folder.path / "drive.csv", scale);
+  return read_route(folder.path / "drive.csv", {.metres_per_unit = scale});
 }
 
 }  // namespace
@@ -101,6 +102,50 @@ TEST_CASE("drives keep their distance from walls and from each other") {
   CHECK(longest_m > 80);
 }
 
+TEST_CASE(
+    "a car drives where things stand on both sides: not on the lawn around, the sea below or on roofs") {
+  Scene scene = street();
+  add_box(scene, {-400, -1.5f, -400}, {400, -0.05f, 400});  // a lawn, a kerb below the road
+  add_box(scene, {-900, -9, -900}, {900, -8, 900});         // water
+  const SceneRays rays(scene);
+  const std::vector<Lane> drives = find_drives(ground_grid(scene, rays));
+  REQUIRE(!drives.empty());
+  double on_road_m = 0, whole_m = 0;
+  for (const Lane& drive : drives)
+    for (const Vector3f& point : drive.points) {
+      CHECK(point.y() > -0.2f);
+      CHECK(point.y() < 0.2f);
+      whole_m += 1;
+      on_road_m += std::abs(point.z()) < 5 && std::abs(point.x()) < 105 ? 1 : 0;
+    }
+  CHECK(on_road_m > 0.9 * whole_m);
+}
+
+TEST_CASE("houses without ground have no drives, though their roofs are flat") {
+  Scene scene = street();
+  scene.instances.erase(scene.instances.begin());  // the ground
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    scene.instances[i].world_from_mesh.prescale(Vector3f(1, i % 3 == 0 ? 1.5f : 1.0f, 1));
+  scene.bounds.extend(Vector3f(0, 18, 0));
+  const SceneRays rays(scene);
+  CHECK(find_drives(ground_grid(scene, rays)).empty());
+}
+
+TEST_CASE("things on both sides are counted by heading") {
+  // Things along +z only: to the right of somebody who looks along +x.
+  Surroundings right;
+  for (int i : {3, 4, 5}) right.seen |= static_cast<std::uint16_t>(1 << i);
+  CHECK(right.share() == 3 / 16.0);
+  CHECK(right.on_both_sides(0) == 0);
+  Surroundings both = right;
+  for (int i : {11, 12, 13}) both.seen |= static_cast<std::uint16_t>(1 << i);
+  CHECK(both.on_both_sides(0) > 0.4);
+  CHECK(both.on_both_sides(std::numbers::pi) > 0.4);
+  CHECK(both.on_both_sides(std::numbers::pi / 2) == 0);  // ahead and behind
+  CHECK(right.ahead(0) == 0);
+  CHECK(right.ahead(-std::numbers::pi / 2) > 0.5);  // along +z
+}
+
 TEST_CASE("a scene without drivable ground has no drives") {
   Scene scene;
   scene.materials.resize(1);
@@ -109,17 +154,52 @@ TEST_CASE("a scene without drivable ground has no drives") {
   CHECK(find_drives(ground_grid(scene, SceneRays(scene))).empty());
 }
 
-TEST_CASE("the unit of a scene is guessed as a power of ten") {
-  Scene scene = street();  // 200 x 13 x 50 m
-  CHECK(guess_unit_scale(scene) == 1);
-  for (const double unit : {0.01, 0.1, 10.0, 1000.0}) {
-    Scene other = scene;
-    scale_scene(other, 1 / unit);
-    CHECK(guess_unit_scale(other) == unit);
-    scale_scene(other, unit);
-    CHECK(other.bounds.sizes().isApprox(scene.bounds.sizes(), 1e-5f));
-    CHECK(other.instances[3].world_from_mesh.isApprox(scene.instances[3].world_from_mesh, 1e-5f));
-  }
+TEST_CASE("the unit of a scene is the metre unless no place looks like that") {
+  const auto in_units = [](Scene scene, double metres) {
+    scale_scene(scene, 1 / metres);
+    return scene;
+  };
+  // 200 x 13 x 50 m; a flat network of roads.
+  CHECK(guess_unit_scale(street()) == 1);
+  CHECK(guess_unit_scale(in_units(street(), 0.0254)) == 1);  // inches: --metres_per_unit says so
+  Scene roads;
+  roads.materials.resize(1);
+  roads.meshes = {box()};
+  add_box(roads, {0, -0.2f, 0}, {30'000, 0, 30'000});
+  CHECK(guess_unit_scale(roads) == 1);
+  Scene block;  // 60 x 13 x 50 m
+  block.materials.resize(1);
+  block.meshes = {box()};
+  add_box(block, {-30, -1, -25}, {30, 0, 25});
+  for (int i = 0; i < 3; ++i) add_box(block, {20.0f * i - 30, 0, 5}, {20.0f * i - 10, 12, 15});
+  for (const double unit : {0.01, 0.1, 1.0, 1000.0})
+    CHECK(guess_unit_scale(in_units(block, unit)) == Approx(unit));
+}
+
+TEST_CASE("a scene whose z points up cannot be driven, and turned it is as it should be") {
+  const Scene scene = street();
+  Scene z_up = scene;
+  Eigen::Matrix3f there;
+  there << 1, 0, 0, 0, 0, -1, 0, 1, 0;  // (x, y, z) to (x, −z, y)
+  for (Instance& instance : z_up.instances) instance.world_from_mesh.prerotate(there);
+  z_up.bounds.setEmpty();
+  z_up.bounds.extend(there * scene.bounds.min()).extend(there * scene.bounds.max());
+  z_up.lanes = {{.street = "A", .points = {there * Vector3f(1, 2, 3), there * Vector3f(4, 5, 6)}}};
+  CHECK(find_drives(ground_grid(z_up, SceneRays(z_up))).empty());
+  turn_z_up(z_up);
+  CHECK(z_up.bounds.isApprox(scene.bounds));
+  CHECK(z_up.lanes[0].points[1] == Vector3f(4, 5, 6));
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    CHECK(z_up.instances[i].world_from_mesh.isApprox(scene.instances[i].world_from_mesh, 1e-5f));
+}
+
+TEST_CASE("scaling there and back changes nothing") {
+  const Scene scene = street();
+  Scene other = scene;
+  scale_scene(other, 0.01);
+  scale_scene(other, 100);
+  CHECK(other.bounds.sizes().isApprox(scene.bounds.sizes(), 1e-5f));
+  CHECK(other.instances[3].world_from_mesh.isApprox(scene.instances[3].world_from_mesh, 1e-5f));
 }
 
 TEST_CASE("a mast does not change the guessed unit") {
@@ -175,6 +255,6 @@ TEST_CASE("an invalid route is refused by file and line") {
   CHECK_THROWS_WITH(route_of("1,2,3\n4,5,1e9\n"), Catch::Contains("10,000 km"));
   CHECK_THROWS_WITH(route_of("1,2,3\n1,2,3\n"), Catch::Contains("too few points"));
   CHECK_THROWS_WITH(route_of(""), Catch::Contains("too few points"));
-  CHECK_THROWS_WITH(read_route("/no/such.csv", 1),
+  CHECK_THROWS_WITH(read_route("/no/such.csv", {}),
                     "/no/such.csv: cannot be read; name a route file, lines of x,y,z");
 }

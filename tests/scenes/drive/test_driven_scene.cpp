@@ -42,7 +42,8 @@ TEST_CASE("a scene scaled by an option says so") {
 }
 
 TEST_CASE("a scene without drivable ground is refused with its size") {
-  CHECK_THROWS_WITH(load(one_triangle(), {}),
-                    "place.glb: no way to drive was found (10 x 10 x 0 m, largest flat piece 0 m2); set "
-                    "--metres_per_unit or name a --route");
+  CHECK_THROWS_WITH(
+      load(one_triangle(), {}),
+      "place.glb: no way to drive was found: no flat ground has things beside it (10 x 10 x 0 m); "
+      "set --metres_per_unit or name a --route");
 }

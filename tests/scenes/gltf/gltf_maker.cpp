@@ -157,7 +157,9 @@ void write_file(const std::filesystem::path& file, const void* data, std::size_t
 cps::Scene import_bytes(const std::vector<unsigned char>& bytes, std::vector<std::string>* warnings) {
   const TemporaryFolder folder;
   write_file(folder.path / "scene.glb", bytes.data(), bytes.size());
-  return cps::import_gltf(folder.path / "scene.glb", warnings);
+  cps::Scene scene = cps::import_gltf(folder.path / "scene.glb");
+  if (warnings) *warnings = scene.import_warnings;
+  return scene;
 }
 
 cps::Scene import_glb(const GltfMaker& maker, std::vector<std::string>* warnings) {

@@ -135,7 +135,7 @@ TEST_CASE("offsets, counts, strides and references out of range are refused") {
        "meshes[0].primitives[0].POSITION (accessors[0]): 4 elements reach beyond the buffer view"},
       {"/accessors/0/count", 2147483647,
        "meshes[0].primitives[0].POSITION (accessors[0]): 2147483647 elements reach beyond the buffer view"},
-      {"/accessors/0/count", 0, "meshes[0].primitives[0].POSITION (accessors[0]): has no elements"},
+      {"/accessors/0/count", 0, "scene: holds no triangles to draw"},
       {"/accessors/0/byteOffset", 4,
        "meshes[0].primitives[0].POSITION (accessors[0]): 3 elements reach beyond the buffer view"},
       {"/accessors/0/byteOffset", 40,

@@ -71,7 +71,7 @@ TEST_CASE("inconsistent skins are refused by name") {
     maker.primitive()["attributes"]["JOINTS_0"] =
         maker.add(std::vector<std::uint8_t>(12, 2), 5121, "VEC4", 3);
     CHECK(refusal(maker) ==
-          "meshes[0].primitives[0].JOINTS_0: vertex 0 has no joint of its skin or no weight");
+          "meshes[0].primitives[0].JOINTS_0: vertex 0 has no joint of its skin or a weight below 0");
   }
   SECTION("no such skin") {
     maker.json["nodes"][0]["skin"] = 1;

@@ -96,3 +96,30 @@ TEST_CASE("a diffuse material keeps only base colour, alpha and emission") {
   CHECK(m.clearcoat == 0);
   CHECK(m.transmission == 0);
 }
+
+TEST_CASE("specular and glossiness become a dielectric of that reflectance and roughness") {
+  GltfMaker maker = square_with({{"KHR_materials_pbrSpecularGlossiness",
+                                  {{"diffuseFactor", {0.8, 0.4, 0.2, 0.5}},
+                                   {"specularFactor", {0.1, 0.2, 1}},
+                                   {"glossinessFactor", 0.75}}}});
+  std::vector<std::string> warnings;
+  const cps::Material plain = import_glb(maker, &warnings).materials.at(0);
+  CHECK(warnings.empty());
+  CHECK(plain.base_color == Eigen::Vector4f(0.8f, 0.4f, 0.2f, 0.5f));
+  CHECK(plain.metallic == 0);
+  CHECK(plain.roughness == 0.25f);
+  CHECK(plain.ior == 1.5f);  // reflects 4 %, times specular_color
+  CHECK((0.04f * plain.specular_color).isApprox(Eigen::Vector3f(0.1f, 0.2f, 1)));
+
+  maker.add_texture(encode_image("png", 1, 1, 4, {255, 128, 0, 100}));
+  maker.json["materials"][0]["extensions"]["KHR_materials_pbrSpecularGlossiness"]
+            ["specularGlossinessTexture"] = {{"index", 0}};
+  const cps::Scene scene = import_glb(maker);
+  const cps::Material& m = scene.materials.at(0);
+  CHECK(m.roughness == 1);
+  CHECK(scene.textures[m.specular_color_texture.texture].srgb);
+  const cps::Texture& roughness = scene.textures[m.metallic_roughness_texture.texture];
+  CHECK_FALSE(roughness.srgb);
+  CHECK(int{roughness.rgba[1]} == 255 - 75);  // 1 - .75 * 100 / 255, of 255
+  CHECK(roughness.rgba[2] == 0);
+}

@@ -205,10 +205,6 @@ TEST_CASE("unreadable textures are refused by name") {
     maker.json["textures"][0]["source"] = 4;
     CHECK(refusal(maker) == "textures[0].source: image 4 does not exist");
   }
-  SECTION("a third set of coordinates") {
-    info["texCoord"] = 2;
-    CHECK(refusal(maker) == slot + ": uses TEXCOORD_2, only sets 0 and 1 are read");
-  }
   SECTION("KTX2 alone") {
     maker.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     CHECK(refusal(maker) ==

@@ -112,12 +112,3 @@ TEST_CASE("nodes that form no trees and invalid transforms are refused") {
     CHECK(refusal(maker) == "scene: reaches beyond 10,000 km: scale it to metres");
   }
 }
-
-TEST_CASE("a node with a scale of 0 is skipped with a warning") {
-  GltfMaker maker = one_triangle();
-  maker.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"scale", {1, 0, 1}}}};
-  maker.json["scenes"] = {{{"nodes", {0, 1}}}};
-  std::vector<std::string> warnings;
-  CHECK(import_glb(maker, &warnings).instances.size() == 1);
-  CHECK(warnings == std::vector<std::string>{"nodes[1]: its scale is 0 along an axis, not drawn"});
-}

@@ -1,23 +1,20 @@
-#include "dataset/exchange/formats.h"
+#include <algorithm>
+#include <array>
+
+#include "dataset/exchange/formats/formats.h"
 
 /// Nerfstudio's transforms.json, cameras only. Intrinsics stand at the top level, or in a frame, where they
 /// override those of the top level. The centre of the top-left pixel is (.5, .5).
 namespace cps {
 namespace {
 
+constexpr std::array intrinsics{"camera_model", "fl_x", "fl_y", "cx", "cy", "w", "h",
+                                "k1",           "k2",   "k3",   "k4", "p1", "p2"};
+
 CalibratedCamera read_one(const JsonKeys& keys, const std::string& name) {
-  if (keys.json.contains("camera_model")) {
-    const std::string model = keys.text("camera_model");
-    if (model != "OPENCV" && model != "PINHOLE" && model != "SIMPLE_PINHOLE")
-      keys.fail("camera_model", "is " + model + "; only OPENCV and PINHOLE are supported");
-  }
+  refuse_other_models(keys, {"k1", "k2", "k3", "p1", "p2"});
   const auto optional = [&](const char* key) { return keys.json.contains(key) ? keys.number(key) : 0.0; };
-  if (optional("k4") != 0) keys.fail("k4", "is not 0; only k1 k2 k3 p1 p2 are supported");
-  const auto pixels = [&](const char* key) {  // some tools write 1920.0
-    const double value = keys.number(key);
-    if (!(value >= 1 && value <= 1 << 20)) keys.fail(key, "must be a size in pixels");
-    return static_cast<int>(value);
-  };
+  const auto pixels = [&](const char* key) { return size_px(keys.number(key), keys.file + ": " + key); };
   const double fx = keys.number("fl_x");
   return {name,
           {.width = pixels("w"),
@@ -43,18 +40,22 @@ nlohmann::ordered_json to_json(const CalibratedCamera& camera) {
 
 }  // namespace
 
-Cameras read_nerfstudio(const JsonKeys& root, const std::string& name) {
-  Cameras cameras;
-  if (root.json.contains("frames"))
-    for (const nlohmann::json& frame : root.at("frames")) {
-      if (!frame.is_object() || !frame.contains("fl_x")) continue;
-      nlohmann::json merged = root.json;
-      merged.update(frame);
-      const std::string path = JsonKeys{frame, root.file}.text("file_path"), where = root.file + ": " + path;
-      cameras.push_back(read_one(JsonKeys{merged, where}, path));
-    }
-  if (cameras.empty()) cameras.push_back(read_one(root, name));
-  return cameras;
+CalibrationFile read_nerfstudio(const JsonKeys& root, const std::string& name) {
+  CalibrationFile file;
+  const nlohmann::json frames = root.json.value("frames", nlohmann::json::array());
+  nlohmann::json top = root.json;
+  top.erase("frames");
+  for (const nlohmann::json& frame : frames) {
+    const auto overrides = [&](const char* key) { return frame.contains(key); };
+    if (!frame.is_object() || std::none_of(intrinsics.begin(), intrinsics.end(), overrides)) continue;
+    nlohmann::json merged = top;
+    merged.update(frame);
+    const std::string path = JsonKeys{frame, root.file}.text("file_path"), where = root.file + ": " + path;
+    add_camera(file, path, [&] { return read_one(JsonKeys{merged, where}, path); });
+  }
+  if (file.cameras.empty() && file.unread.empty())
+    file.cameras.push_back(read_one(JsonKeys{top, root.file}, name));
+  return file;
 }
 
 std::string write_nerfstudio(CameraSpan cameras) {

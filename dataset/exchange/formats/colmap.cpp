@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "dataset/exchange/formats.h"
+#include "dataset/exchange/formats/formats.h"
 #include "dataset/exchange/markup.h"
 
 /// COLMAP's cameras.txt: CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]. The centre of the top-left pixel is (.5, .5).
@@ -43,12 +43,10 @@ CalibratedCamera read_line(const std::string& line, const std::string& where) {
   if (values.size() != 2 + focal_count + 2 + model->coefficients)
     throw std::runtime_error(where + ": " + model_name + " needs a size and " +
                              std::to_string(focal_count + 2 + model->coefficients) + " parameters");
-  if (!(values[0] >= 1 && values[0] <= 1 << 20 && values[1] >= 1 && values[1] <= 1 << 20))
-    throw std::runtime_error(where + ": WIDTH, HEIGHT must be sizes in pixels");
   const std::span<const double> after_focal = std::span(values).subspan(2 + focal_count);
   return {id,
-          {.width = static_cast<int>(values[0]),
-           .height = static_cast<int>(values[1]),
+          {.width = size_px(values[0], where + ": WIDTH"),
+           .height = size_px(values[1], where + ": HEIGHT"),
            .fx = values[2],
            .fy = values[1 + focal_count],
            .cx = after_focal[0] - 0.5,
@@ -62,16 +60,22 @@ bool is_id(const std::string& name) {
 
 }  // namespace
 
-Cameras read_colmap(const std::string& text, const std::string& file) {
-  Cameras cameras;
+CalibrationFile read_colmap(const std::string& text, const std::string& file) {
+  CalibrationFile result;
   std::istringstream lines(text);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-    cameras.push_back(read_line(line, file + ": line " + std::to_string(number)));
+    std::string id;
+    std::istringstream(line) >> id;
+    for (const CalibratedCamera& camera : result.cameras)
+      if (camera.name == id)
+        throw std::runtime_error(file + ": line " + std::to_string(number) + ": CAMERA_ID " + id +
+                                 " appears twice");
+    add_camera(result, id, [&] { return read_line(line, file + ": line " + std::to_string(number)); });
   }
-  return cameras;
+  return result;
 }
 
 std::string write_colmap(CameraSpan cameras) {
