@@ -2,20 +2,18 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "scenes/lattice.h"
 
 namespace cps {
 namespace {
 
-/// Directions spread evenly over the sphere: a Fibonacci lattice (González 2010).
+/// Directions spread evenly over the sphere.
 const std::array<Eigen::Vector3f, 256>& directions() {
   static const auto lattice = [] {
     std::array<Eigen::Vector3f, 256> unit;
-    for (std::size_t i = 0; i < unit.size(); ++i) {
-      const double y = 1 - (2.0 * i + 1) / unit.size(), radius = std::sqrt(1 - y * y);
-      const double turn = 2 * std::numbers::pi * std::fmod(i * (std::numbers::phi - 1), 1.0);
-      unit[i] = Eigen::Vector3d(radius * std::cos(turn), y, radius * std::sin(turn)).cast<float>();
-    }
+    for (std::size_t i = 0; i < unit.size(); ++i)
+      unit[i] = lattice_direction(static_cast<int>(i), unit.size(), -1).cast<float>();
     return unit;
   }();
   return lattice;

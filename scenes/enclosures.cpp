@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
+
+#include "scenes/instance_boxes.h"
+#include "scenes/lattice.h"
 
 namespace cps {
 namespace {
@@ -12,14 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int directions = 64, max_open = 3;
-constexpr double lowest_sine = 0.17, high_sine = 0.7;
-
-/// Direction `i` of a Fibonacci lattice on the part of the sphere above 10° (González 2010).
-Vector3d upward(int i) {
-  const double y = 1 - (1 - lowest_sine) * (i + 0.5) / directions, radius = std::sqrt(1 - y * y);
-  const double turn = 2 * std::numbers::pi * std::fmod(i * (std::numbers::phi - 1), 1.0);
-  return {radius * std::cos(turn), y, radius * std::sin(turn)};
-}
+constexpr double lowest_sine = 0.17, high_sine = 0.7;  ///< of elevations of 10° and 44°
 
 /// Distance along the ray to the triangle, 0 if it is missed (Möller & Trumbore 1997).
 double distance_to(const Vector3d& from, const Vector3d& direction, const Vector3d (&corner)[3]) {
@@ -72,7 +67,7 @@ std::set<int> closing_meshes(const Scene& scene, const std::vector<Eigen::Aligne
   std::vector<LastHit> high, low;
   int open = 0;
   for (int i = 0; i < directions; ++i) {
-    const Vector3d direction = upward(i);
+    const Vector3d direction = lattice_direction(i, directions, lowest_sine);
     const LastHit hit = last_hit(scene, boxes, from, direction);
     if (hit.mesh < 0 && ++open > max_open) return {};
     if (hit.mesh >= 0) (direction.y() > high_sine ? high : low).push_back(hit);
@@ -120,12 +115,8 @@ bool hold_the_scene(const Scene& scene, const std::vector<Eigen::AlignedBox3d>& 
 }  // namespace
 
 void mark_enclosures(Scene& scene) {
-  std::vector<Eigen::AlignedBox3d> mesh_boxes(scene.meshes.size()), boxes;
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    for (const Eigen::Vector3f& position : scene.meshes[i].positions)
-      mesh_boxes[i].extend(position.cast<double>());
-  for (const Instance& instance : scene.instances)
-    boxes.push_back(mesh_boxes[instance.mesh].transformed(instance.world_from_mesh.cast<double>()));
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Eigen::AlignedBox3f& box : instance_boxes(scene)) boxes.push_back(box.cast<double>());
   const Vector3d middle = quantile(boxes, 0.5);
   std::set<int> meshes;
   for (double share : {0.5, 0.25, 0.75}) {
@@ -142,12 +133,10 @@ void mark_enclosures(Scene& scene) {
 Eigen::AlignedBox3f bounds_without_enclosures(const Scene& scene) {
   const auto is_enclosure = [](const Mesh& mesh) { return mesh.is_enclosure; };
   if (std::ranges::none_of(scene.meshes, is_enclosure)) return scene.bounds;
+  const std::vector<Eigen::AlignedBox3f> boxes = instance_boxes(scene);
   Eigen::AlignedBox3f bounds;
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    if (mesh.is_enclosure) continue;
-    for (const Eigen::Vector3f& position : mesh.positions) bounds.extend(instance.world_from_mesh * position);
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (!scene.meshes[scene.instances[i].mesh].is_enclosure) bounds.extend(boxes[i]);
   return bounds.isEmpty() ? scene.bounds : bounds;
 }
 

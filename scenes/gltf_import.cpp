@@ -10,21 +10,16 @@
 #include "scenes/gltf/instances.h"
 #include "scenes/gltf/lanes.h"
 #include "scenes/gltf/lights.h"
+#include "scenes/instance_boxes.h"
 
 namespace cps {
 namespace {
 
 using namespace gltf;
 
-/// The box around the instances' transformed mesh boxes: a little too large for rotated instances, never too
-/// small.
 Eigen::AlignedBox3f bounds_of(const Document& document, const Scene& scene) {
-  std::vector<Eigen::AlignedBox3f> mesh_boxes(scene.meshes.size());
-  for (std::size_t i = 0; i < scene.meshes.size(); ++i)
-    for (const Eigen::Vector3f& position : scene.meshes[i].positions) mesh_boxes[i].extend(position);
   Eigen::AlignedBox3f bounds;
-  for (const Instance& instance : scene.instances)
-    bounds.extend(mesh_boxes[instance.mesh].transformed(instance.world_from_mesh));
+  for (const Eigen::AlignedBox3f& box : instance_boxes(scene)) bounds.extend(box);
   constexpr float farthest_m = 1e7f;  // a float's resolution is 1 m there
   if (!(bounds.min().minCoeff() > -farthest_m && bounds.max().maxCoeff() < farthest_m))
     refuse(document, "scene", "reaches beyond 10,000 km: scale it to metres");

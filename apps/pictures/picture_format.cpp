@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <stdexcept>
 #include <string>
 
 namespace cps {
@@ -17,6 +18,10 @@ std::string lower_extension(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+void refuse_picture(const std::filesystem::path& file, const std::string& why) {
+  throw std::runtime_error(file.string() + ": " + why.substr(0, why.find('\n')));
+}
 
 const std::vector<PictureFormat>& picture_formats() {
   const TypeDesc u8 = TypeDesc::UINT8, u16 = TypeDesc::UINT16, u32 = TypeDesc::UINT32, half = TypeDesc::HALF,

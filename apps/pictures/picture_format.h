@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// File formats of still pictures: what each can hold without loss of meaning.
@@ -23,6 +24,10 @@ struct PictureFormat {
   AlphaKind alpha = AlphaKind::none;
   bool is_lossless = true;
 };
+
+/// Throws std::runtime_error `<file>: <why>`, of which only the first line is kept: OpenImageIO's messages
+/// may have several.
+[[noreturn]] void refuse_picture(const std::filesystem::path& file, const std::string& why);
 
 /// All formats that cps writes.
 const std::vector<PictureFormat>& picture_formats();

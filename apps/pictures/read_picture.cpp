@@ -7,6 +7,7 @@
 #include "apps/pictures/jpeg_end.h"
 #include "apps/pictures/netpbm16.h"
 #include "apps/pictures/picture_file.h"
+#include "apps/pictures/picture_format.h"
 #include "files/files.h"
 #include "renderer/materials/srgb.h"
 
@@ -15,19 +16,13 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) {
-  // Messages of OpenImageIO may have several lines.
-  std::string line = what.substr(0, what.find('\n'));
-  throw std::runtime_error(file.string() + ": " + line);
-}
-
 std::unique_ptr<OIIO::ImageInput> open(const fs::path& file) {
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) fail(file, "there is no such file");
+  if (!fs::is_regular_file(file, error)) refuse_picture(file, "there is no such file");
   OIIO::ImageSpec keep_alpha;
   keep_alpha.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(file.string(), &keep_alpha);
-  if (!input) fail(file, "is not a picture that can be read: " + OIIO::geterror());
+  if (!input) refuse_picture(file, "is not a picture that can be read: " + OIIO::geterror());
   return input;
 }
 
@@ -79,20 +74,21 @@ void check_header(const fs::path& file, OIIO::ImageInput& input, int width, int 
   const OIIO::ImageSpec& spec = input.spec();
   const ImageSize size = upright(spec);
   if (size != ImageSize{width, height})
-    fail(file, "is " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels" +
-                   (orientation_of(spec) == 1 ? "" : " upright, as its EXIF orientation says") +
-                   ", its camera " + std::to_string(width) + " x " + std::to_string(height));
+    refuse_picture(file, "is " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                             " pixels" +
+                             (orientation_of(spec) == 1 ? "" : " upright, as its EXIF orientation says") +
+                             ", its camera " + std::to_string(width) + " x " + std::to_string(height));
   if (spec.nchannels < 1 || spec.nchannels > 4)
-    fail(file, "has " + std::to_string(spec.nchannels) + " channels; 1 to 4 are supported");
-  if (spec.deep || spec.depth > 1) fail(file, "is deep or a volume, not a picture");
+    refuse_picture(file, "has " + std::to_string(spec.nchannels) + " channels; 1 to 4 are supported");
+  if (spec.deep || spec.depth > 1) refuse_picture(file, "is deep or a volume, not a picture");
   if (spec.x != 0 || spec.y != 0 || spec.full_width != spec.width || spec.full_height != spec.height)
-    fail(file, "its data window is not its display window: cut or pad it first");
+    refuse_picture(file, "its data window is not its display window: cut or pad it first");
   for (const OIIO::TypeDesc& type : spec.channelformats)
-    if (type != spec.format) fail(file, "its channels have different pixel types: split it first");
-  if (input.seek_subimage(1, 0)) fail(file, "holds several pictures: split it first");
+    if (type != spec.format) refuse_picture(file, "its channels have different pixel types: split it first");
+  if (input.seek_subimage(1, 0)) refuse_picture(file, "holds several pictures: split it first");
   input.seek_subimage(0, 0);
   if (std::string_view(input.format_name()) == "jpeg" && !has_whole_image(read_file(file)))
-    fail(file, "is damaged: the JPEG ends too early");
+    refuse_picture(file, "is damaged: the JPEG ends too early");
 }
 
 /// Makes colours linear and multiplies them by alpha. In a file of data, alpha is data too.
@@ -135,7 +131,7 @@ Picture read_picture(const fs::path& file, Encoding encoding, Resampling resampl
     const OIIO::TypeDesc type = picture.is_light ? OIIO::TypeDesc(OIIO::TypeFloat) : spec.format;
     picture.pixels = OIIO::ImageBuf(OIIO::ImageSpec(spec.width, spec.height, spec.nchannels, type));
     if (!input->read_image(0, 0, 0, spec.nchannels, type, picture.pixels.localpixels()))
-      fail(file, "is damaged: " + input->geterror());
+      refuse_picture(file, "is damaged: " + input->geterror());
   }
   turn_upright(picture);
   if (picture.is_light) to_light(picture, encoding);

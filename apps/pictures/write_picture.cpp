@@ -15,10 +15,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw std::runtime_error(file.string() + ": " + why.substr(0, why.find('\n')));
-}
-
 bool writes_srgb(const Picture& source, OIIO::TypeDesc stored) {
   if (source.encoding != Encoding::automatic) return source.encoding == Encoding::srgb;
   if (stored.is_floating_point() == source.file.format.is_floating_point()) return source.is_srgb;
@@ -58,22 +54,34 @@ void check_stored(const fs::path& written, const OIIO::ImageSpec& wanted) {
                              ": choose .png, .tif or .exr");
 }
 
+void write_and_check(OIIO::ImageOutput& output, const fs::path& file, const OIIO::ImageSpec& spec,
+                     const OIIO::ImageBuf& encoded) {
+  if (!output.open(file.string(), spec) ||
+      !output.write_image(encoded.spec().format, encoded.localpixels()) || !output.close()) {
+    const std::string why = output.geterror();
+    throw std::runtime_error(why.substr(0, why.find('\n')));
+  }
+  check_stored(file, spec);
+}
+
 }  // namespace
 
 void write_picture(const fs::path& file, const OIIO::ImageBuf& pixels, const Picture& source) {
   const PictureFormat* format = picture_format(file);
-  if (format == nullptr) refuse(file, "cps writes no such format: choose .png, .jpg, .tif or .exr");
+  if (format == nullptr) refuse_picture(file, "cps writes no such format: choose .png, .jpg, .tif or .exr");
   if (!source.palette.empty()) {
-    if (file.extension() != ".png") refuse(file, "the ids are numbers of a palette, which needs a .png");
+    if (file.extension() != ".png")
+      refuse_picture(file, "the ids are numbers of a palette, which needs a .png");
     write_by_rename(file,
                     [&](const fs::path& temporary) { write_palette_png(temporary, pixels, source.palette); });
     return;
   }
   if (!source.is_light && !format->is_lossless)
-    refuse(file, "the format changes values; ids and depth need .png, .tif or .exr");
+    refuse_picture(file, "the format changes values; ids and depth need .png, .tif or .exr");
   const auto type = stored_type(*format, source.file.format, source.is_light);
   if (!type)
-    refuse(file, "the format has no place for " + pixel_kind(source.file) + ": choose .png, .tif or .exr");
+    refuse_picture(file,
+                   "the format has no place for " + pixel_kind(source.file) + ": choose .png, .tif or .exr");
   const bool to_srgb = source.is_light && writes_srgb(source, *type),
              to_straight = writes_straight_alpha(*format, source);
 
@@ -92,7 +100,7 @@ void write_picture(const fs::path& file, const OIIO::ImageBuf& pixels, const Pic
   spec.attribute("png:compressionLevel", 1);
   spec.attribute("png:filter", 32);  // PNG_FILTER_UP
   const auto output = OIIO::ImageOutput::create(file.string());
-  if (!output) refuse(file, "cannot be written: " + OIIO::geterror());
+  if (!output) refuse_picture(file, "cannot be written: " + OIIO::geterror());
   if (std::string_view(output->format_name()) == "jpeg") spec.attribute("Compression", "jpeg:95");
   const OIIO::ImageBuf encoded = source.is_light ? encode(pixels, source, to_srgb, to_straight) : pixels;
   if (output->format_name() == std::string_view("pnm") && *type == OIIO::TypeDesc::UINT16 &&
@@ -101,17 +109,9 @@ void write_picture(const fs::path& file, const OIIO::ImageBuf& pixels, const Pic
   write_by_rename(file, [&](const fs::path& temporary) {
     // JPEG 2000's writer looks at the extension, which a temporary name does not have.
     const fs::path named = temporary.string() + file.extension().string();
-    const auto write = [&] {
-      if (!output->open(named.string(), spec) ||
-          !output->write_image(encoded.spec().format, encoded.localpixels()) || !output->close()) {
-        const std::string why = output->geterror();
-        throw std::runtime_error(why.substr(0, why.find('\n')));
-      }
-      check_stored(named, spec);
-      fs::rename(named, temporary);
-    };
     try {
-      write();
+      write_and_check(*output, named, spec, encoded);
+      fs::rename(named, temporary);
     } catch (...) {
       std::error_code ignored;
       fs::remove(named, ignored);

@@ -15,7 +15,6 @@ constexpr double half_car_m = 1.2;  ///< half a car's width and a margin
 constexpr double apart_m = 3;       ///< between drives
 constexpr double min_length_m = 4, max_length_m = 120, sight_m = 60;
 constexpr double step_m = 1;
-constexpr double few_things = 0.2;          ///< share below which a driver sees a plane and the sky
 constexpr double min_share_of_first = 0.6;  ///< of the first drive's score: what is left are corners
 constexpr double sides_worth_m = 40;        ///< metres of free way that are worth things all along both sides
 
@@ -62,13 +61,13 @@ double free_way_m(const GroundGrid& ground, const Taken& taken, const Walker& wa
   return way_m;
 }
 
-/// Of `candidates` random places on free ground, the place and heading with the longest way ahead; NaN if all
-/// are too short.
 struct Start {
   Walker walker{Eigen::Vector2d::Constant(NAN)};
-  double score = 0;
+  double score = 0;  ///< 0: there is none
 };
 
+/// Of `candidates` random places on free ground, the place and heading with the longest way ahead, the most
+/// room and the most things beside it.
 Start best_start(const GroundGrid& ground, const Taken& taken, const std::vector<int>& free,
                  bool needs_both_sides, Stream stream) {
   Start best;

@@ -92,11 +92,12 @@ GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   }
   for (int z = 0; z < grid.nz; ++z)
     for (int x = 0; x < grid.nx; ++x) {
-      // One look for a block of 4 x 4 cells.
-      const int cell = grid.index(x, z), block = grid.index(x / 4 * 4, z / 4 * 4);
+      // A block of cells shares the look from its sample column, if the street has one there.
+      const int cell = grid.index(x, z),
+                sample = grid.index(x / sample_stride * sample_stride, z / sample_stride * sample_stride);
       if (surface[cell] < 0) continue;
-      const bool is_known = surface[block] >= 0 && block != cell;
-      grid.around[cell] = is_known ? grid.around[block] : look_around(rays, layers.surfaces[surface[cell]]);
+      grid.around[cell] = surface[sample] >= 0 ? layers.around[surface[sample]]
+                                               : look_around(rays, layers.surfaces[surface[cell]]);
     }
   measure_room(grid);
   return grid;

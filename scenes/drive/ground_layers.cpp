@@ -14,7 +14,7 @@ constexpr int max_hits = 12;  ///< surfaces examined in one column
 constexpr double headroom_m = 2.2;
 constexpr float cos_max_slope = 0.9063f;  // 25°
 constexpr double tan_max_slope = 0.4663, step_m = 0.2;
-constexpr double bumper_m = 0.45, bonnet_m = 1.1;
+constexpr double bumper_m = 0.45;
 
 /// The part of the scene to search: all of it, or of a scene that is too large for the grid, what lies around
 /// the place with the most vertices.
@@ -99,10 +99,11 @@ void number_pieces(GroundLayers& layers) {
     return surface;
   };
   for (std::size_t i = 0; i < parent.size(); ++i)
-    for (const int next : {layers.east[i], layers.south[i]})
-      if (next >= 0)
-        parent[std::max(root(next), root(static_cast<int>(i)))] =
-            std::min(root(next), root(static_cast<int>(i)));
+    for (const int next : {layers.east[i], layers.south[i]}) {
+      if (next < 0) continue;
+      const auto [low, high] = std::minmax({root(static_cast<int>(i)), root(next)});
+      parent[high] = low;
+    }
   layers.piece.assign(parent.size(), -1);
   for (std::size_t i = 0; i < parent.size(); ++i) {
     const int first = root(static_cast<int>(i));
@@ -130,12 +131,15 @@ GroundLayers ground_layers(const Scene& scene, const SceneRays& rays) {
   layers.first.push_back(static_cast<int>(layers.surfaces.size()));
   layers.east.assign(layers.surfaces.size(), -1);
   layers.south.assign(layers.surfaces.size(), -1);
+  layers.around.assign(layers.surfaces.size(), {});
   for (int z = 0; z < layers.nz; ++z)
     for (int x = 0; x < layers.nx; ++x) {
       const int column = z * layers.nx + x;
       for (int i = layers.first[column]; i < layers.first[column + 1]; ++i) {
         if (x + 1 < layers.nx) layers.east[i] = way_to(layers, rays, i, column + 1);
         if (z + 1 < layers.nz) layers.south[i] = way_to(layers, rays, i, column + layers.nx);
+        if (x % sample_stride == 0 && z % sample_stride == 0)
+          layers.around[i] = look_around(rays, layers.surfaces[i]);
       }
     }
   number_pieces(layers);

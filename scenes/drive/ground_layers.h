@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scenes/drive/surroundings.h"
 #include "scenes/scene.h"
 #include "scenes/scene_rays.h"
 
@@ -19,10 +20,17 @@ struct GroundLayers {
       first;  ///< of each column's surfaces, which follow one another; one entry more than columns
   std::vector<Eigen::Vector3f> surfaces;  ///< world
   std::vector<std::uint8_t> is_open;      ///< whether nothing is above
-  std::vector<int> east, south;  ///< the surface that a car can drive to in the next column; −1: none
-  std::vector<int> piece;        ///< connected piece of each surface
+  std::vector<int> east, south;      ///< the surface that a car can drive to in the next column; −1: none
+  std::vector<Surroundings> around;  ///< of the surfaces of sample columns; nothing of others
+  std::vector<int> piece;            ///< connected piece of each surface
   int pieces = 0;
 };
+
+/// Every fourth column in x and in z is a sample column.
+constexpr int sample_stride = 4;
+
+/// Height of a car's bonnet above the ground.
+constexpr double bonnet_m = 1.1;
 
 /// Finds them by ray casting: downwards for the surfaces, and between neighbouring columns at bumper and
 /// bonnet height for obstacles. A piece ends at a step of more than 0.2 m or a slope of more than 25°.

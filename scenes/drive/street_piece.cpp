@@ -2,12 +2,8 @@
 
 #include <algorithm>
 
-#include "scenes/drive/surroundings.h"
-
 namespace cps {
 namespace {
-
-constexpr float bonnet_m = 1.1f;
 
 /// What speaks for a piece being a street, and against it.
 struct PieceScore {
@@ -28,19 +24,17 @@ bool is_on_body(const SceneRays& rays, const Eigen::Vector3f& surface) {
 /// Whether something rises within a cell and a half of the surface.
 bool is_blocked(const GroundLayers& layers, const SceneRays& rays, const Eigen::Vector3f& surface,
                 const Eigen::Vector3f& along) {
-  const auto hit = first_hit(rays, surface + Eigen::Vector3f(0, bonnet_m, 0), along);
+  const auto hit = first_hit(rays, surface + Eigen::Vector3f(0, static_cast<float>(bonnet_m), 0), along);
   return hit && hit->distance_m < 1.5 * layers.cell_m;
 }
 
 void add_sample(const GroundLayers& layers, const SceneRays& rays, int surface, PieceScore& score) {
-  constexpr double few_things = 0.2, share_below_roof = 0.25;
-  const double things = std::max(0.0, look_around(rays, layers.surfaces[surface]).share() - few_things);
+  constexpr double share_below_roof = 0.25;
+  const double things = std::max(0.0, layers.around[surface].share() - few_things);
   score.things += layers.is_open[surface] != 0 ? things : share_below_roof * things;
   score.on_body += is_on_body(rays, layers.surfaces[surface]) ? 1 : 0;
   ++score.samples;
 }
-
-constexpr int sample_stride = 4;
 
 std::vector<PieceScore> score_pieces(const GroundLayers& layers, const SceneRays& rays) {
   std::vector<PieceScore> scores(layers.pieces);

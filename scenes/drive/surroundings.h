@@ -19,6 +19,9 @@ struct Surroundings {
   double ahead(double heading_rad) const;
 };
 
+/// Share below which a driver sees little but a plane and the sky.
+constexpr double few_things = 0.2;
+
 /// What is seen from a car on `ground` (world).
 Surroundings look_around(const SceneRays& rays, const Eigen::Vector3f& ground);
 

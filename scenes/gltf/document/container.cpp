@@ -151,7 +151,8 @@ Document read_document(const std::filesystem::path& file, std::size_t max_decode
           : std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   if (text.size() > max_decoded_bytes / max_json_growth)
     refuse(file, "JSON", "is longer than " + std::to_string(max_decoded_bytes / max_json_growth) + " bytes");
-  nlohmann::json root = parse_checked_json(file, text);
+  const nlohmann::json original = parse_checked_json(file, text);
+  nlohmann::json root = original;
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
   Document document{.file = file, .max_decoded_bytes = max_decoded_bytes};
   for (const std::string& warning : fill_tinygltf_gaps(root)) warn(document, warning);
@@ -159,7 +160,7 @@ Document read_document(const std::filesystem::path& file, std::size_t max_decode
   complete_meshopt_buffers(root);
   complete_data_uris(root);
   ReadableFiles readable{replace_file_uris(file, folder, root), max_decoded_bytes};
-  bytes = with_json(bytes, root.dump());
+  if (root != original) bytes = with_json(bytes, root.dump());
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_image_bytes, nullptr);
