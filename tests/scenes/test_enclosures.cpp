@@ -88,6 +88,13 @@ TEST_CASE("a sky dome is an enclosure, whole or in parts, whichever way its face
     }
 }
 
+TEST_CASE("houses below the rim of a dome do not belong to it") {
+  Scene scene = street();
+  const int first = static_cast<int>(scene.meshes.size());
+  place(scene, sphere_part(0, 1, true), 400, {0, 85, 0});
+  CHECK(marked(scene) == std::vector<int>{first});
+}
+
 TEST_CASE("a sky box of six pictures is an enclosure, but for its floor") {
   Scene scene = street();
   const int first = static_cast<int>(scene.meshes.size());

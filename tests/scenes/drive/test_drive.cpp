@@ -8,6 +8,7 @@
 #include "scenes/drive/drive_search.h"
 #include "scenes/drive/file_frame.h"
 #include "scenes/drive/route_file.h"
+#include "scenes/drive/street_piece.h"
 #include "scenes/routes.h"
 #include "tests/scenes/box.h"
 #include "tests/temporary_folder.h"
@@ -128,6 +129,7 @@ TEST_CASE("houses without ground have no drives, though their roofs are flat") {
     scene.instances[i].world_from_mesh.prescale(Vector3f(1, i % 3 == 0 ? 1.5f : 1.0f, 1));
   scene.bounds.extend(Vector3f(0, 18, 0));
   const SceneRays rays(scene);
+  CHECK(street_piece(ground_layers(scene, rays), rays) == -1);
   CHECK(find_drives(ground_grid(scene, rays)).empty());
 }
 
@@ -142,6 +144,10 @@ TEST_CASE("things on both sides are counted by heading") {
   CHECK(both.on_both_sides(0) > 0.4);
   CHECK(both.on_both_sides(std::numbers::pi) > 0.4);
   CHECK(both.on_both_sides(std::numbers::pi / 2) == 0);  // ahead and behind
+  // A heading of 45° points at direction 14; beside it are 2 and 10.
+  const Surroundings slanted{1 << 2 | 1 << 10};
+  CHECK(slanted.on_both_sides(std::numbers::pi / 4) > 0);
+  CHECK(slanted.on_both_sides(-std::numbers::pi / 4) == 0);
   CHECK(right.ahead(0) == 0);
   CHECK(right.ahead(-std::numbers::pi / 2) > 0.5);  // along +z
 }
@@ -216,6 +222,15 @@ TEST_CASE("scaling a scene scales its lights so that surfaces are as bright as b
   CHECK(scene.lights[0].position == Vector3f(10, 20, 30));
   CHECK(scene.lights[0].intensity == Vector3f(100, 100, 100));
   CHECK(scene.lights[1].intensity == Vector3f(1, 1, 1));
+}
+
+TEST_CASE("a route of a file whose z points up is turned as the scene is, less its origin") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "drive.csv") << "1,2,3\n10,2,3\n";
+  const std::vector<Lane> lanes =
+      read_route(folder.path / "drive.csv", {.metres_per_unit = 2, .is_z_up = true, .origin = {1, 1, 1}});
+  CHECK(lanes.front().points.front() == Vector3f(1, 5, -5));
+  CHECK(lanes.back().points.back() == Vector3f(19, 5, -5));
 }
 
 TEST_CASE("a route without headings becomes a lane through its points, cut into stretches") {

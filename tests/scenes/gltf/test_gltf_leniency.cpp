@@ -172,6 +172,7 @@ TEST_CASE("a scene far from its origin keeps its millimetres") {
       {{"street", "A"}, {"points", {{456068.251, 112.15, -5430320.05}, {456069.251, 112.15, -5430320.05}}}}};
   const cps::Scene scene = import_glb(maker);
   CHECK(scene.origin.norm() > 5e6);
+  CHECK(scene.origin == Eigen::Vector3d(scene.origin.array().round()));  // whole metres are exact in text
   const auto in_file = [&](const Vector3f& point) {
     return Eigen::Vector3d(scene.origin + point.cast<double>());
   };
