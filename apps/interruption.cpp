@@ -37,7 +37,8 @@ int run_interruptible(const std::string& name, const std::function<int()>& work)
 
 Watch interruptible_watch() {
   return {.must_stop = [] { return interrupted.load(); },
-          .note = [](const std::string& line) { std::cout << line << "\n"; }};
+          .note = [](const std::string& line) { std::cout << line << "\n"; },
+          .warn = [](const std::string& line) { std::cerr << line << "\n"; }};
 }
 
 }  // namespace cps

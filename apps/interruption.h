@@ -16,7 +16,7 @@ inline constexpr int exit_run_again = 75;
 /// and returns exit_run_again; likewise where another process holds what the work needs (HeldByAnother).
 int run_interruptible(const std::string& name, const std::function<int()>& work);
 
-/// A watch that stops work once such a signal came and prints notes on stdout.
+/// A watch that stops work once such a signal came, and prints notes on stdout and warnings on stderr.
 Watch interruptible_watch();
 
 }  // namespace cps

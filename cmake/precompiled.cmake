@@ -17,6 +17,8 @@ function(cps_headers name)
 endfunction()
 
 set(packages Eigen3::Eigen OpenImageIO::OpenImageIO)
+# For rooms in which few files see pictures or JSON: reading a set takes time, too, in proportion to its size.
+cps_headers(core_headers LINK Eigen3::Eigen HEADERS <Eigen/Dense>)
 cps_headers(room_headers LINK ${packages} HEADERS ${CPS_PACKAGE_HEADERS})
 if(CPS_TESTS)
   find_path(CATCH2_INCLUDE_DIR catch2/catch.hpp REQUIRED)

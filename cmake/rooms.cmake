@@ -1,7 +1,11 @@
-# cps_room(NAME SOURCES a.cpp … LINK target …): the library cps_NAME. Its link list is the list of
-# rooms and packages it may use; includes are written from the repository's root ("room/file.h").
+# cps_room(NAME SOURCES a.cpp … LINK target … [HEADERS set]): the library cps_NAME. Its link list is the list of
+# rooms and packages it may use; includes are written from the repository's root ("room/file.h"). HEADERS: the set of
+# precompiled headers (precompiled.cmake), room_headers unless it is given.
 function(cps_room name)
-  cmake_parse_arguments(ROOM "OWN_HEADERS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ROOM "OWN_HEADERS" "HEADERS" "SOURCES;LINK" ${ARGN})
+  if(NOT ROOM_HEADERS)
+    set(ROOM_HEADERS room_headers)
+  endif()
   if(ROOM_SOURCES)
     add_library(cps_${name} STATIC ${ROOM_SOURCES})
     set(scope PUBLIC)
@@ -12,7 +16,7 @@ function(cps_room name)
   target_include_directories(cps_${name} ${scope} ${CMAKE_SOURCE_DIR})
   target_link_libraries(cps_${name} ${scope} ${ROOM_LINK})
   if(ROOM_SOURCES AND NOT ROOM_OWN_HEADERS)
-    target_precompile_headers(cps_${name} REUSE_FROM cps_room_headers)
+    target_precompile_headers(cps_${name} REUSE_FROM cps_${ROOM_HEADERS})
   endif()
 endfunction()
 

@@ -6,6 +6,7 @@
 
 #include "dataset/labels/group_label.h"
 #include "production/drive_text.h"
+#include "production/load_scene.h"
 #include "production/scene_files.h"
 #include "sampler/recipe/rig_file.h"
 
@@ -82,14 +83,8 @@ bool has_scenes(const DatasetJob& job) {
 }
 
 Plan plan_of(const DatasetJob& job, const Watch& watch) {
-  return make_plan(job.recipe, job.rig, job.scenes, [&](const fs::path& file) {
-    if (watch.is_stopped()) throw Interrupted();
-    DrivenScene driven = load_driven_scene(file, job.drive);
-    if (!driven.note.empty()) watch.noted(driven.note);
-    for (const std::string& warning : driven.scene.import_warnings)
-      watch.noted(file.filename().string() + ": warning: " + warning);
-    return driven;
-  });
+  return make_plan(job.recipe, job.rig, job.scenes,
+                   [&](const fs::path& file) { return load_scene(file, job.drive, watch); });
 }
 
 }  // namespace cps

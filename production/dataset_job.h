@@ -37,7 +37,7 @@ void prepare_scenes(DatasetJob& job, const std::filesystem::path& root);
 /// Whether the files of all scenes exist.
 bool has_scenes(const DatasetJob& job);
 
-/// The plan of a job whose scenes are prepared. Notes how cars drive through scenes without lanes. Throws as
+/// The plan of a job whose scenes are prepared; the watch hears of each scene as in load_scene(). Throws as
 /// make_plan() does, and Interrupted when the watch stops it.
 Plan plan_of(const DatasetJob& job, const Watch& watch);
 

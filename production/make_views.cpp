@@ -23,7 +23,7 @@ std::string name_of(const Plan& plan, const PlannedView& view) {
 struct ViewInFlight {
   std::int64_t view = 0;
   RenderedHalves halves = {};
-  ViewRecord record = {};
+  MadeImages made = {};
 };
 
 /// The stages of the pipeline and what they share.
@@ -43,13 +43,13 @@ class ViewLine {
     };
     const auto images = [this](Token view) {
       attempt([&] {
-        view->record = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
+        view->made = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
         view->halves = {};
       });
       return view;
     };
     const auto enter = [this](const Token& view) {
-      if (!view->record.images.empty()) attempt([&] { append(view->record); });
+      if (!view->made.record.images.empty()) attempt([&] { append(view->made); });
     };
     tbb::parallel_pipeline(max_in_flight,
                            tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order, render) &
@@ -100,12 +100,15 @@ class ViewLine {
     return in_flight;
   }
 
-  void append(const ViewRecord& record) {
+  void append(const MadeImages& made) {
+    const ViewRecord& record = made.record;
     journal_.append(record);
     const auto images = static_cast<std::int64_t>(record.images.size());
     ++summary_.views;
     summary_.images += images;
-    watch_.advanced(images, name_of(plan_, plan_.views[record.view]));
+    const std::string name = name_of(plan_, plan_.views[record.view]);
+    summary_.badly_exposed.add(made.exposure, name);
+    watch_.advanced(images, name);
   }
 
   const Plan& plan_;

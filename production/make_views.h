@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataset/job/journal.h"
+#include "production/frame_exposure.h"
 #include "production/watch.h"
 #include "sampler/plan/plan.h"
 
@@ -21,6 +22,7 @@ struct MakeViewsSummary {
   int threads = 1;
   double wall_s = 0, cpu_s = 0;  ///< of everything, loading scenes as well
   StageTimes cpu;
+  BadlyExposed badly_exposed;
   std::string brief() const;
 };
 

@@ -12,7 +12,7 @@
 #include "production/condition_scene.h"
 #include "production/view_render.h"
 #include "random/shuffle.h"
-#include "renderer/materials/srgb.h"
+#include "numbers/srgb.h"
 #include "sensor/develop.h"
 
 namespace cps {

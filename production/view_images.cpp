@@ -80,7 +80,7 @@ ViewImages images_of(const Plan& plan, std::int64_t index) {
   return wanted;
 }
 
-ViewRecord make_images(const ViewImages& wanted, const RenderedHalves& halves, const fs::path& root,
+MadeImages make_images(const ViewImages& wanted, const RenderedHalves& halves, const fs::path& root,
                        ImageTimes& times) {
   StageClock clock;
   const Master master = master_from_halves(halves.first, halves.second, wanted.master);
@@ -107,7 +107,7 @@ ViewRecord make_images(const ViewImages& wanted, const RenderedHalves& halves, c
   for (const std::exception_ptr& error : errors)
     if (error) std::rethrow_exception(error);
   if (!wanted.master_file.empty()) record.master = keep_master(wanted.master_file, master.light, root, times);
-  return record;
+  return {std::move(record), frame_exposure(master)};
 }
 
 }  // namespace cps

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dataset/job/records.h"
+#include "production/frame_exposure.h"
 #include "production/view_render.h"
 #include "sampler/plan/plan.h"
 #include "sensor/photograph.h"
@@ -39,10 +40,15 @@ struct ImageTimes {
   std::atomic<std::int64_t> warp_ns = 0, develop_ns = 0, encode_ns = 0, write_ns = 0;
 };
 
+struct MadeImages {
+  ViewRecord record;
+  FrameExposure exposure = FrameExposure::good;
+};
+
 /// Makes the images of a rendered view and writes them below `root`, and the render itself if it is kept.
 /// Several images are made at a time, each on one thread. Throws std::runtime_error in one line when a file
 /// cannot be written; the view's other files are complete even then.
-ViewRecord make_images(const ViewImages& wanted, const RenderedHalves& halves,
+MadeImages make_images(const ViewImages& wanted, const RenderedHalves& halves,
                        const std::filesystem::path& root, ImageTimes& times);
 
 }  // namespace cps

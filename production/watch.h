@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <string>
+
+#include "scenes/drive/driven_scene.h"
 
 namespace cps {
 
@@ -18,6 +21,9 @@ struct Watch {
   std::function<bool()> must_stop = {};                                ///< asked often; true: give up
   std::function<void(std::int64_t, const std::string&)> advance = {};  ///< more images made; which
   std::function<void(const std::string&)> note = {};                   ///< a line for the user
+  std::function<void(const std::string&)> warn = {};                   ///< a line about what may be wrong
+  /// A scene was loaded for the plan: its file, and the scene with its lanes.
+  std::function<void(const std::filesystem::path&, const DrivenScene&)> scene_loaded = {};
 
   bool is_stopped() const { return must_stop && must_stop(); }
   void advanced(std::int64_t images, const std::string& current) const {
@@ -25,6 +31,9 @@ struct Watch {
   }
   void noted(const std::string& line) const {
     if (note) note(line);
+  }
+  void warned(const std::string& line) const {
+    if (warn) warn(line);
   }
 };
 

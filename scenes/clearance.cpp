@@ -21,22 +21,8 @@ const std::array<Eigen::Vector3f, 256>& directions() {
 
 }  // namespace
 
-std::string to_string(PlaceFault fault) {
-  switch (fault) {
-    case PlaceFault::inside:
-      return "inside";
-    case PlaceFault::too_close:
-      return "too_close";
-    case PlaceFault::only_sky:
-      return "only_sky";
-    case PlaceFault::none:
-      break;
-  }
-  return "none";
-}
-
-PlaceFault place_fault(const SceneRays& rays, const Eigen::Vector3d& position, const Eigen::Vector3d& forward,
-                       double min_distance_m) {
+PlaceFault clearance_fault(const SceneRays& rays, const Eigen::Vector3d& position,
+                           const Eigen::Vector3d& forward, double min_distance_m) {
   constexpr float cos_ahead = 0.7071f, cos_ground_slope = 0.7071f;  // 45°
   const Eigen::Vector3f from = position.cast<float>(), axis = forward.normalized().cast<float>();
   std::size_t backs = 0, ahead = 0, hits_ahead = 0;

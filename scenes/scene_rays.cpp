@@ -109,7 +109,8 @@ std::optional<SurfaceHit> first_hit(const SceneRays& rays, const Eigen::Vector3f
           .normalized();
   return SurfaceHit{.distance_m = hit.ray.tfar,
                     .normal = normal,
-                    .shows_back = !surface.double_sided && normal.dot(direction) > 0};
+                    .shows_back = !surface.double_sided && normal.dot(direction) > 0,
+                    .instance = static_cast<int>(hit.hit.instID[0])};
 }
 
 }  // namespace cps

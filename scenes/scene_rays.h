@@ -25,6 +25,7 @@ struct SurfaceHit {
   double distance_m = 0;
   Eigen::Vector3f normal;   ///< of the triangle's front face: world, unit
   bool shows_back = false;  ///< the ray meets the back of a single-sided surface
+  int instance = 0;         ///< index into Scene::instances
 };
 
 /// The first surface from `from` (world) along `direction` (world, unit), if any.

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "numbers/luminance.h"
+#include "numbers/srgb.h"
+
 namespace cps {
 namespace {
 
@@ -19,7 +22,7 @@ std::array<float, 255> srgb_thresholds() {
   for (int code = 1; code <= 255; ++code) {
     const double encoded = (code - 0.5) / 255.0;
     thresholds[code - 1] =
-        static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+        static_cast<float>(linear_from_srgb(encoded));
   }
   return thresholds;
 }
@@ -39,7 +42,7 @@ double meter_exposure(const OIIO::ImageBuf& linear_master) {
   for (int y = height / 4; y < height - height / 4; ++y)
     for (int x = width / 4; x < width - width / 4; ++x) {
       const float* rgb = pixels + 3 * (static_cast<std::size_t>(y) * width + x);
-      luminances.push_back(0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]);
+      luminances.push_back(luminance(rgb[0], rgb[1], rgb[2]));
     }
   auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
   std::nth_element(luminances.begin(), middle, luminances.end());
@@ -55,7 +58,7 @@ OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear) {
   const auto* from = static_cast<const float*>(linear.localpixels());
   auto* to = static_cast<float*>(gray.localpixels());
   for (std::size_t i = 0; i < static_cast<std::size_t>(width) * height; ++i)
-    to[i] = 0.2126f * from[3 * i] + 0.7152f * from[3 * i + 1] + 0.0722f * from[3 * i + 2];
+    to[i] = luminance(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
   return gray;
 }
 

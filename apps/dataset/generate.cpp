@@ -43,6 +43,7 @@ void make_remaining(const Plan& plan, const RemainingViews& remaining, Journal& 
   const MakeViewsSummary summary = make_views(plan, remaining.views, journal, root, threads, watch);
   progress.finish();
   std::cout << summary.brief() << "\n";
+  for (const std::string& warning : summary.badly_exposed.warnings()) watch.warned(warning);
   if (summary.is_interrupted) throw Interrupted();
 }
 
@@ -50,7 +51,8 @@ int generate(const po::variables_map& values, int threads) {
   const fs::path root = values["out"].as<std::string>();
   const std::string name = root.string();
   const Shard shard = shard_from(values);
-  const Watch watch = interruptible_watch();
+  Watch watch = interruptible_watch();
+  look_with_flags(values, watch);
 
   DatasetJob job = job_from_flags(values, root);
   require_same_job(root, job.text);

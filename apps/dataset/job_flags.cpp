@@ -6,6 +6,7 @@
 #include "apps/options.h"
 #include "apps/threads.h"
 #include "production/drive_text.h"
+#include "production/load_scene.h"
 #include "sampler/recipe/rig_file.h"
 
 namespace po = boost::program_options;
@@ -33,6 +34,8 @@ po::options_description drive_flags() {
   flags.add_options()("route", po::value<std::string>(),
                       "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
                       "cars follow the scene's lanes, or else a drive that is searched for");
+  flags.add_options()("look", po::value<std::string>(),
+                      "folder for a picture of each scene from above, with the drives drawn in");
   return flags;
 }
 
@@ -55,6 +58,10 @@ DatasetJob job_from_flags(const po::variables_map& values, const fs::path& root)
   const fs::path recipe_folder =
       values.count("recipe") > 0 ? fs::path(values["recipe"].as<std::string>()).parent_path() : fs::path();
   return new_job(recipe, find_rig(recipe.rig, recipe_folder), drive_from_flags(values, recipe), root);
+}
+
+void look_with_flags(const po::variables_map& values, Watch& watch) {
+  if (values.count("look") > 0) watch.scene_loaded = top_views_in(values["look"].as<std::string>());
 }
 
 }  // namespace cps

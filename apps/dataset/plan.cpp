@@ -27,6 +27,11 @@ double free_bytes(fs::path folder) {
   return static_cast<double>(fs::space(folder).available);
 }
 
+/// stdout is the estimate's alone, for programs.
+void print_on_stderr(const std::string& line) {
+  std::cerr << line << "\n";
+}
+
 }  // namespace
 
 int cps_plan(const Arguments& arguments) {
@@ -54,7 +59,9 @@ int cps_plan(const Arguments& arguments) {
   const DatasetJob job = job_from_flags(values, resources.folder);
   resources.free_bytes = free_bytes(resources.folder);
   const RecipeCounts counts = count_out(job.recipe, static_cast<int>(job.rig.cameras.size()));
-  const Pilot pilot = run_pilot(job.recipe, job.rig, job.drive, conditions);
+  Watch watch{.note = print_on_stderr, .warn = print_on_stderr};
+  look_with_flags(values, watch);
+  const Pilot pilot = run_pilot(job.recipe, job.rig, job.drive, conditions, watch);
   const Bill bill = bill_of(job.recipe, counts, pilot, threads.count);
   if (values.count("json") > 0)
     std::cout << to_json(job.recipe, bill, pilot, resources).dump(1) << "\n";

@@ -9,7 +9,7 @@
 #include "apps/pictures/picture_file.h"
 #include "apps/pictures/picture_format.h"
 #include "files/files.h"
-#include "renderer/materials/srgb.h"
+#include "numbers/srgb.h"
 
 namespace fs = std::filesystem;
 

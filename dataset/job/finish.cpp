@@ -61,8 +61,10 @@ Json rig_json(const Rig& rig) {
 
 Json places_json(const PlaceTally& places) {
   Json rejected_for;
+  // The faults of light are rare: listed where they occur.
   for (int i = 1; i < place_fault_count; ++i)
-    rejected_for[to_string(static_cast<PlaceFault>(i))] = places.faults[i];
+    if (places.faults[i] > 0 || i <= static_cast<int>(PlaceFault::only_sky))
+      rejected_for[to_string(static_cast<PlaceFault>(i))] = places.faults[i];
   return {{"drawn", places.drawn}, {"rejected", places.rejected()}, {"rejected_for", rejected_for}};
 }
 

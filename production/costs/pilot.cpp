@@ -10,6 +10,7 @@
 
 #include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
+#include "production/load_scene.h"
 #include "production/scene_files.h"
 #include "production/view_images.h"
 #include "sampler/plan/plan.h"
@@ -92,7 +93,7 @@ struct FullSize {
 
 /// Makes the pilot's plan and times what generate does before the first render.
 Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& folder,
-                Pilot& pilot) {
+                const Watch& watch, Pilot& pilot) {
   std::vector<PlannedScene> scenes = plan_scenes(recipe, folder);
   double before = process_cpu_s();
   make_scene_files(scenes, folder);
@@ -103,7 +104,7 @@ Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   double load_s = 0;
   Plan plan = make_plan(recipe, rig, std::move(scenes), [&](const fs::path& file) {
     const double begin = process_cpu_s();
-    DrivenScene driven = load_driven_scene(file, drive);
+    DrivenScene driven = load_scene(file, drive, watch);
     load_s += process_cpu_s() - begin;
     return driven;
   });
@@ -114,10 +115,11 @@ Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
 
 }  // namespace
 
-Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions) {
+Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions,
+                const Watch& watch) {
   const ScratchFolder scratch;
   Pilot pilot;
-  const Plan plan = timed_plan(pilot_recipe(recipe, conditions), rig, drive, scratch.path, pilot);
+  const Plan plan = timed_plan(pilot_recipe(recipe, conditions), rig, drive, scratch.path, watch, pilot);
   const std::size_t sizes = recipe.sizes.size(), hfovs = plan.sets.size() / sizes;
   std::vector<FullSize> full(sizes, FullSize{.wanted = sizes == 1 ? 3 : 2});
   std::vector<std::vector<double>> sum(plan.conditions.size(), std::vector<double>(plan.sets.size(), 0));
@@ -146,7 +148,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     estimated_s += view_s;
     before = process_cpu_s();
     ImageTimes unused;
-    const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused);
+    const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused).record;
     of_size.cpu_s += process_cpu_s() - before;
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);

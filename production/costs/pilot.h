@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "production/watch.h"
 #include "sampler/recipe/recipe.h"
 #include "scenes/drive/driven_scene.h"
 #include "scenes/rig.h"
@@ -32,7 +33,9 @@ struct Pilot {
 
 /// Takes `conditions` conditions of the recipe (or all, if it has fewer) and renders one view of each set in
 /// each of them at a reduced size, and a few at full size with all their images, in a temporary folder.
-/// Throws std::runtime_error in one line when a scene is missing.
-Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions);
+/// The watch hears of each scene as in load_scene(). Throws std::runtime_error in one line when a scene is
+/// missing.
+Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, int conditions,
+                const Watch& watch);
 
 }  // namespace cps

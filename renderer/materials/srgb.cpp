@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numbers/srgb.h"
+
 namespace cps {
-
-double linear_from_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double srgb_from_linear(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
 
 const std::array<float, 256>& srgb_decode_table() {
   static const std::array<float, 256> table = [] {

@@ -5,10 +5,6 @@
 
 namespace cps {
 
-/// sRGB (IEC 61966-2-1) → linear light and back, both with 1 for white.
-double linear_from_srgb(double encoded);
-double srgb_from_linear(double linear);
-
 /// 8-bit sRGB → linear light.
 const std::array<float, 256>& srgb_decode_table();
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "numbers/luminance.h"
+
 namespace cps {
 
 using Vec3 = Eigen::Vector3f;
@@ -12,7 +14,7 @@ using Color = Eigen::Array3f;
 
 /// Y of a linear Rec. 709 colour.
 inline float luminance(const Color& c) {
-  return 0.2126f * c.x() + 0.7152f * c.y() + 0.0722f * c.z();
+  return luminance(c.x(), c.y(), c.z());
 }
 
 }  // namespace cps

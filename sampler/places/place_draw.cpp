@@ -10,6 +10,7 @@
 #include "numbers/angles.h"
 #include "sampler/places/lane_change.h"
 #include "sampler/splits.h"
+#include "scenes/clearance.h"
 #include "scenes/wheels.h"
 
 namespace cps {
@@ -37,13 +38,15 @@ RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) 
 }
 
 /// The fault of the first camera that has one.
-PlaceFault rig_fault(const SceneRays& rays, const DrawnPlace& drawn, const Recipe& recipe) {
+PlaceFault rig_fault(const DrivableScene& scene, const DrawnPlace& drawn, const Recipe& recipe) {
   for (const RigCamera& camera : drawn.cameras) {
     const Eigen::Isometry3d vehicle = vehicle_from_camera(camera);
     const bool looks_ahead = vehicle.linear()(0, 2) > 0.5;  // within 60° of the driving direction
     const Eigen::Isometry3d world = world_from_vehicle(drawn.place) * vehicle;
-    const PlaceFault fault = place_fault(rays, world.translation(), world.linear().col(2),
-                                         looks_ahead ? recipe.clearance_m : recipe.side_clearance_m);
+    const Eigen::Vector3d position = world.translation(), forward = world.linear().col(2);
+    PlaceFault fault = clearance_fault(scene.rays, position, forward,
+                                       looks_ahead ? recipe.clearance_m : recipe.side_clearance_m);
+    if (fault == PlaceFault::none) fault = light_fault(scene.rays, scene.light, position, forward);
     if (fault != PlaceFault::none) return fault;
   }
   return PlaceFault::none;
@@ -86,7 +89,8 @@ DrivableScene drivable_scene(const Scene& scene, const std::string& name, const 
                          .routes = routes(scene),
                          .route_parts = {},
                          .traffic = traffic_on(scene.lanes),
-                         .rays = SceneRays(scene)};
+                         .rays = SceneRays(scene),
+                         .light = scene_light(scene)};
   if (drivable.lanes.empty())
     throw std::runtime_error(name + ": has no lanes to drive on; give its glTF scene extras.cps_lanes");
   if (recipe.split == "thesis") {
@@ -153,7 +157,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
     for (std::size_t c = 0; c < rig.cameras.size(); ++c)
       drawn.cameras.push_back(
           with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)));
-    const PlaceFault fault = rig_fault(scene.rays, drawn, recipe);
+    const PlaceFault fault = rig_fault(scene, drawn, recipe);
     ++tally.drawn;
     ++tally.faults[static_cast<int>(fault)];
     drawn.tally = tally;

@@ -10,7 +10,8 @@
 #include "sampler/places/lane_traffic.h"
 #include "sampler/places/place_strata.h"
 #include "sampler/recipe/recipe.h"
-#include "scenes/clearance.h"
+#include "scenes/lit_view.h"
+#include "scenes/place_fault.h"
 #include "scenes/rig.h"
 #include "scenes/routes.h"
 #include "scenes/scene.h"
@@ -26,6 +27,7 @@ struct DrivableScene {
   std::vector<Part> route_parts;  ///< one per route; `all` for every route if the parts share streets
   LaneTraffic traffic;
   SceneRays rays;
+  SceneLight light;
 };
 
 /// The stretch of each lane in which places are drawn, given the part of each lane: the whole lane, less 3 m

@@ -24,7 +24,12 @@ bool can_be_driven_z_up(Scene scene) {
   return !find_drives(ground_grid(scene, rays)).empty();
 }
 
-std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& file) {
+struct FoundDrives {
+  std::vector<Lane> lanes;
+  std::string why;  ///< what speaks for their ground
+};
+
+FoundDrives found_drives(const Scene& scene, const std::filesystem::path& file) {
   const SceneRays rays(scene);
   const GroundGrid ground = ground_grid(scene, rays);
   std::vector<Lane> drives = find_drives(ground);
@@ -38,15 +43,21 @@ std::vector<Lane> found_drives(const Scene& scene, const std::filesystem::path& 
                            : "no flat ground has things beside it",
         size.x(), size.y(), size.z(), can_be_driven_z_up(scene) ? "it looks z-up: try --up z, " : ""));
   }
-  return drives;
+  return {std::move(drives),
+          fmt::format("on {:.0f} m2 of ground at y = {:.1f} m with things in {:.0f} % of all directions{}",
+                      ground.area_m2, ground.level_m, 100 * ground.things,
+                      ground.rivals > 0 ? fmt::format(", the best of {} such grounds", ground.rivals + 1) : "")};
 }
 
-std::string note_of(const std::filesystem::path& file, double metres_per_unit, bool is_guessed,
-                    const std::vector<Lane>& lanes, const char* lanes_are) {
-  double driven_m = 0;
-  for (const Lane& lane : lanes) driven_m += length_m(lane);
-  return fmt::format("{}: {:g} m per unit{}, {} {}, {:.0f} m", file.filename().string(), metres_per_unit,
-                     is_guessed ? " (guessed)" : "", lanes.size(), lanes_are, driven_m);
+std::string scale_text(double metres_per_unit, const DriveOptions& options) {
+  const bool is_guessed = options.metres_per_unit == 0 && metres_per_unit != 1;
+  return fmt::format("{:g} m per unit{}", metres_per_unit, is_guessed ? " (guessed from its size)" : "");
+}
+
+double length_m(const std::vector<Lane>& lanes) {
+  double sum_m = 0;
+  for (const Lane& lane : lanes) sum_m += length_m(lane);
+  return sum_m;
 }
 
 }  // namespace
@@ -59,15 +70,18 @@ DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOpti
   if (options.is_z_up) turn_z_up(scene);
   const double scale = driven.metres_per_unit = metres_per_unit(scene, options);
   scale_scene(scene, scale);
-  const char* lanes_are = "lanes";
+  std::string lanes_are = "lanes", why;
   if (!options.route.empty()) {
     scene.lanes = read_route(options.route, {scale, options.is_z_up, scene.origin});
   } else if (!has_lanes) {
-    scene.lanes = found_drives(scene, file);
+    FoundDrives found = found_drives(scene, file);
+    scene.lanes = std::move(found.lanes);
     lanes_are = "drives found";
+    why = " " + found.why;
   }
   if (!has_lanes || !options.route.empty() || scale != 1)
-    driven.note = note_of(file, scale, options.metres_per_unit == 0 && !has_lanes, scene.lanes, lanes_are);
+    driven.note = fmt::format("{}: {}, {} {}, {:.0f} m{}", file.filename().string(), scale_text(scale, options),
+                              scene.lanes.size(), lanes_are, length_m(scene.lanes), why);
   return driven;
 }
 

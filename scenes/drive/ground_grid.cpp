@@ -71,8 +71,14 @@ Eigen::Vector3d GroundGrid::ground_at(const Eigen::Vector2d& point) const {
 
 GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   const GroundLayers layers = ground_layers(scene, rays);
-  const int street = street_piece(layers, rays);
-  GroundGrid grid{.cell_m = layers.cell_m, .corner = layers.corner, .nx = layers.nx, .nz = layers.nz};
+  const StreetPiece street = street_piece(layers, rays);
+  GroundGrid grid;
+  grid.cell_m = layers.cell_m;
+  grid.corner = layers.corner;
+  grid.nx = layers.nx;
+  grid.nz = layers.nz;
+  grid.rivals = street.rivals;
+  grid.things = street.things;
   const int cells = grid.nx * grid.nz;
   grid.height.assign(cells, none);
   grid.east.assign(cells, 0);
@@ -81,7 +87,7 @@ GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   std::vector<int> surface(cells, -1);  // where the piece passes over itself, the lowest
   for (int cell = 0; cell < cells; ++cell)
     for (int i = layers.first[cell]; i < layers.first[cell + 1] && surface[cell] < 0; ++i)
-      if (layers.piece[i] == street) surface[cell] = i;
+      if (layers.piece[i] == street.piece) surface[cell] = i;
   for (int cell = 0; cell < cells; ++cell) {
     if (surface[cell] < 0) continue;
     const int i = surface[cell];
@@ -89,7 +95,9 @@ GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
     grid.east[cell] = layers.east[i] >= 0 && layers.east[i] == surface[cell + 1];
     grid.south[cell] = layers.south[i] >= 0 && layers.south[i] == surface[cell + grid.nx];
     grid.area_m2 += grid.cell_m * grid.cell_m;
+    grid.level_m += grid.height[cell];
   }
+  if (grid.area_m2 > 0) grid.level_m /= grid.area_m2 / (grid.cell_m * grid.cell_m);
   for (int z = 0; z < grid.nz; ++z)
     for (int x = 0; x < grid.nx; ++x) {
       // A block of cells shares the look from its sample column, if the street has one there.

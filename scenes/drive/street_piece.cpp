@@ -8,6 +8,7 @@ namespace {
 /// What speaks for a piece being a street, and against it.
 struct PieceScore {
   double things = 0;                      ///< sum over sample points
+  double share_sum = 0;                   ///< of Surroundings::share() over sample points
   std::int64_t blocked = 0, ends = 0;     ///< edges at which something rises, edges of any kind
   std::int64_t on_body = 0, samples = 0;  ///< sample points on top of a closed body, all sample points
 };
@@ -30,7 +31,8 @@ bool is_blocked(const GroundLayers& layers, const SceneRays& rays, const Eigen::
 
 void add_sample(const GroundLayers& layers, const SceneRays& rays, int surface, PieceScore& score) {
   constexpr double share_below_roof = 0.25;
-  const double things = std::max(0.0, layers.around[surface].share() - few_things);
+  const double share = layers.around[surface].share(), things = std::max(0.0, share - few_things);
+  score.share_sum += share;
   score.things += layers.is_open[surface] != 0 ? things : share_below_roof * things;
   score.on_body += is_on_body(rays, layers.surfaces[surface]) ? 1 : 0;
   ++score.samples;
@@ -66,17 +68,24 @@ bool is_roof(const GroundLayers& layers, const PieceScore& score) {
 
 }  // namespace
 
-int street_piece(const GroundLayers& layers, const SceneRays& rays) {
-  constexpr double min_blocked = 0.05;
+StreetPiece street_piece(const GroundLayers& layers, const SceneRays& rays) {
+  constexpr double min_blocked = 0.05, rival = 0.1;
   const std::vector<PieceScore> scores = score_pieces(layers, rays);
-  int best = -1;
+  StreetPiece best;
+  std::vector<double> things;  // of each piece that could be a street
   for (int piece = 0; piece < layers.pieces; ++piece) {
     const PieceScore& score = scores[piece];
     if (!(score.things > 0) || is_roof(layers, score) ||
         static_cast<double>(score.blocked) < min_blocked * static_cast<double>(score.ends))
       continue;
-    if (best < 0 || score.things > scores[best].things) best = piece;
+    things.push_back(score.things);
+    if (best.piece < 0 || score.things > scores[best.piece].things) best.piece = piece;
   }
+  if (best.piece < 0) return best;
+  const PieceScore& score = scores[best.piece];
+  best.things = score.share_sum / static_cast<double>(score.samples);
+  best.rivals = static_cast<int>(
+      std::ranges::count_if(things, [&](double other) { return other >= rival * score.things; }) - 1);
   return best;
 }
 

@@ -4,9 +4,15 @@
 
 namespace cps {
 
-/// The piece that is most of a street: large, under the open sky, with things beside it that rise from it.
-/// Ground without any, such as a lawn around a town or the sea below it, and roofs, are none; −1 if there is
-/// no other.
-int street_piece(const GroundLayers& layers, const SceneRays& rays);
+/// The piece of ground that is most of a street.
+struct StreetPiece {
+  int piece = -1;     ///< index; −1: there is none
+  int rivals = 0;     ///< other pieces with at least a tenth as many things beside them
+  double things = 0;  ///< mean share of directions in which things stand beside it
+};
+
+/// Chooses it: large, under the open sky, with things beside it that rise from it. Ground without any, such as
+/// a lawn around a town or the sea below it, and roofs, are none.
+StreetPiece street_piece(const GroundLayers& layers, const SceneRays& rays);
 
 }  // namespace cps

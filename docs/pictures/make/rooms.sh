@@ -28,7 +28,7 @@ fi
   echo '  rankdir=BT; ranksep=0.32; nodesep=0.28; bgcolor=white;'
   echo '  node [shape=box, style="rounded,filled", fillcolor="#eef3f8", color="#5b7c99", fontname="DejaVu Sans", fontsize=13, margin="0.14,0.07"];'
   echo '  edge [color="#5b7c99", arrowsize=0.7];'
-  node numbers "angles, intervals, CPU time"
+  node numbers "angles, intervals, sRGB, CPU time"
   node random "the hash behind every drawn number"
   node files "read, write, lock, plot"
   node distortion "lens, certificate, crop, warp"

@@ -1,3 +1,5 @@
+#include <OpenImageIO/imagebuf.h>
+
 #include <catch2/catch.hpp>
 #include <set>
 #include <sstream>
@@ -154,4 +156,72 @@ TEST_CASE("every image format verifies, and has the same bytes from one thread a
     CHECK(run_cps("contact-sheet " + one.string() + " -o " + (folder / "sheet.png").string()).exit_status ==
           0);
   }
+}
+
+TEST_CASE("what the importer leaves out is said once on stderr and kept in dataset.json, with the origin") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";
+  nlohmann::ordered_json gltf = read_json(scene);
+  gltf["materials"][0]["extensions"]["KHR_materials_sheen"] = nlohmann::ordered_json::object();
+  gltf["extensionsUsed"] = {"KHR_materials_sheen"};
+  const double east_m = 456'000, south_m = -5'430'000;
+  gltf["nodes"].push_back({{"translation", {east_m, 112, south_m}}, {"children", gltf["scenes"][0]["nodes"]}});
+  gltf["scenes"][0]["nodes"] = {gltf["nodes"].size() - 1};
+  for (auto& lane : gltf["scenes"][0]["extras"]["cps_lanes"])
+    for (auto& point : lane["points"]) {
+      point[0] = point[0].get<double>() + east_m;
+      point[1] = 112;
+      point[2] = point[2].get<double>() + south_m;
+    }
+  write_json(scene, gltf);
+
+  const std::string streams = (folder / "stdout").string() + " 2>" + (folder / "stderr").string();
+  const int status = std::system((CPS_PROGRAM " " + tiny_recipe(scene, out) + " >" + streams).c_str());
+  const std::string said = read_file(folder / "stderr");
+  INFO(said);
+  REQUIRE(status == 0);
+  const auto at = said.find("KHR_materials_sheen");
+  REQUIRE(at != said.npos);
+  CHECK(said.find("KHR_materials_sheen", at + 1) == said.npos);
+  CHECK_THAT(said, Catch::Contains("street.gltf: warning: "));
+  CHECK_THAT(read_file(folder / "stdout"), !Catch::Contains("KHR_materials_sheen"));
+  const nlohmann::json entry = read_json(out / "dataset.json")["scenes"][0];
+  REQUIRE(entry["import_warnings"].size() == 1);
+  CHECK_THAT(entry["import_warnings"][0].get<std::string>(), Catch::Contains("KHR_materials_sheen"));
+  CHECK(entry["origin_m"][0].get<double>() == Approx(east_m).margin(500));
+  CHECK(entry["origin_m"][2].get<double>() == Approx(south_m).margin(500));
+}
+
+TEST_CASE("a scene that no light reaches has no places, and the message says why") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  nlohmann::ordered_json gltf = read_json(scene);
+  // Every street becomes a closed tunnel, 8 m wide and 5 m high.
+  for (int street = 0; street < 6; ++street) {
+    const double z = -60 + 24 * street;
+    for (const auto& [x, y, dz, sx, sy, sz] :
+         {std::tuple{0, 5, 0, 320, 1, 10}, {0, 0, -5, 320, 6, 1}, {0, 0, 5, 320, 6, 1}, {-158, 0, 0, 1, 6, 10},
+          {158, 0, 0, 1, 6, 10}}) {
+      gltf["nodes"].push_back({{"mesh", 1}, {"translation", {x, y, z + dz}}, {"scale", {sx, sy, sz}}});
+      gltf["scenes"][0]["nodes"].push_back(gltf["nodes"].size() - 1);
+    }
+  }
+  write_json(scene, gltf);
+  check_refused(tiny_recipe(scene, folder / "dataset") + " --clearance_m 1", 1, "200 dark");
+}
+
+TEST_CASE("--look shows the scene from above") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  const std::string recipe = "generate --scene " + scene.string() +
+                             " --size 80x45 --base_hfov_deg 60 --views 3 --lenses 1 --samples 2 --out ";
+  const ProgramRun made =
+      run_cps(recipe + (folder / "dataset").string() + " --look " + (folder / "look").string());
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  const OIIO::ImageBuf picture((folder / "look" / "street.png").string());
+  REQUIRE_FALSE(picture.has_error());
+  CHECK(picture.spec().width == 800);
+  // A folder cannot have the name of a file.
+  check_refused(recipe + (folder / "second").string() + " --look " + scene.string(), 1, scene.string());
 }

@@ -82,7 +82,7 @@ TEST_CASE("an outline hull (a shell turned inside out) is no ceiling, and a plac
   scene.instances.back().mesh = 1;
   const SceneRays rays(scene);
   CHECK(ground_grid(scene, rays).room_at({0, 0}) == Approx(5).margin(1.0));
-  CHECK(place_fault(rays, {0, 1.5, 0}, {1, 0, 0}, 2.5) == PlaceFault::none);
+  CHECK(clearance_fault(rays, {0, 1.5, 0}, {1, 0, 0}, 2.5) == PlaceFault::none);
 }
 
 TEST_CASE("drives keep their distance from walls and from each other") {
@@ -129,7 +129,7 @@ TEST_CASE("houses without ground have no drives, though their roofs are flat") {
     scene.instances[i].world_from_mesh.prescale(Vector3f(1, i % 3 == 0 ? 1.5f : 1.0f, 1));
   scene.bounds.extend(Vector3f(0, 18, 0));
   const SceneRays rays(scene);
-  CHECK(street_piece(ground_layers(scene, rays), rays) == -1);
+  CHECK(street_piece(ground_layers(scene, rays), rays).piece == -1);
   CHECK(find_drives(ground_grid(scene, rays)).empty());
 }
 

@@ -1,54 +1,17 @@
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-#include "random/counter_hash.h"
 #include "scenes/gltf_import.h"
+#include "tests/fuzz/mutate_bytes.h"
+#include "tests/fuzz/mutate_gltf.h"
 #include "tests/scenes/gltf/gltf_maker.h"
 #include "tests/scenes/gltf/gltf_samples.h"
 
 using Bytes = std::vector<unsigned char>;
 
 namespace {
-
-/// The file with a few bytes overwritten, flipped, removed or repeated, or with its end cut off.
-Bytes mutated(const Bytes& original, cps::Stream stream) {
-  Bytes bytes = original;
-  std::uint64_t index = 0;
-  const auto below = [&](std::uint64_t count) { return cps::random_below(stream, index++, count); };
-  for (std::uint64_t left = 1 + below(2); left > 0 && !bytes.empty(); --left) {
-    const std::size_t at = below(bytes.size()),
-                      length = std::min<std::size_t>(1 + below(8), bytes.size() - at);
-    switch (below(7)) {
-      case 0:
-        bytes[at] = static_cast<unsigned char>(below(256));
-        break;
-      case 1:
-        bytes[at] ^= static_cast<unsigned char>(1u << below(8));
-        break;
-      case 2:
-        bytes.erase(bytes.begin() + at, bytes.begin() + at + length);
-        break;
-      case 3: {
-        const Bytes part(bytes.begin() + at, bytes.begin() + at + length);
-        bytes.insert(bytes.begin() + at, part.begin(), part.end());
-        break;
-      }
-      case 4:
-        std::fill_n(bytes.begin() + at, length, below(2) ? 0xff : 0x00);
-        break;
-      case 5:  // changes a digit, since references and sizes are numbers in the JSON
-        for (std::size_t i = at; i < bytes.size(); ++i)
-          if (bytes[i] >= '0' && bytes[i] <= '9') {
-            bytes[i] = static_cast<unsigned char>('0' + below(10));
-            break;
-          }
-        break;
-      default:
-        if (below(10) == 0) bytes.resize(at);
-    }
-  }
-  return bytes;
-}
 
 /// Checks what the rest of the program assumes of a scene.
 bool is_valid_scene(const cps::Scene& scene) {
@@ -77,33 +40,62 @@ bool is_valid_scene(const cps::Scene& scene) {
   return sound;
 }
 
-}  // namespace
+/// What became of mutated files.
+struct Outcomes {
+  int imported = 0, refused = 0;
+  int faulty = 0;  ///< invalid scenes, and refusals that are not one line that begins with the file's name
+};
 
-TEST_CASE("5,000 mutated files give valid scenes or are refused in one line") {
+template <class Mutate>
+Outcomes import_mutations(int count, std::size_t max_decoded_bytes, Mutate&& mutate) {
   const std::vector<Bytes> originals = gltf_samples();
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "mutated.glb";
-  int imported = 0, refused = 0, faulty = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const cps::Stream stream = cps::substream(cps::make_stream(1, "mutations"), i);
-    const Bytes bytes = mutated(originals[i % originals.size()], stream);
+  Outcomes outcomes;
+  for (int i = 0; i < count; ++i) {
+    const Bytes bytes = mutate(originals[i % originals.size()], i);
     write_file(file, bytes.data(), bytes.size());
     try {
-      const bool sound = is_valid_scene(cps::import_gltf(file));
+      const bool sound = is_valid_scene(cps::import_gltf(file, max_decoded_bytes));
       if (!sound) UNSCOPED_INFO("mutation " << i << " gave an invalid scene");
-      faulty += !sound;
-      ++imported;
+      outcomes.faulty += !sound;
+      ++outcomes.imported;
     } catch (const std::runtime_error& error) {
       const std::string line = error.what();
       const bool good =
           line.starts_with(file.string() + ": ") && line.find('\n') == line.npos && line.size() < 600;
       if (!good) UNSCOPED_INFO("mutation " << i << " was refused with: " << line);
-      faulty += !good;
-      ++refused;
+      outcomes.faulty += !good;
+      ++outcomes.refused;
     }
   }
-  CHECK(faulty == 0);
+  return outcomes;
+}
+
+}  // namespace
+
+TEST_CASE("5,000 mutated files give valid scenes or are refused in one line") {
+  const Outcomes outcomes = import_mutations(5000, std::size_t{1} << 30, [](const Bytes& original, int i) {
+    return mutate_bytes(original, cps::substream(cps::make_stream(1, "mutations"), i));
+  });
+  CHECK(outcomes.faulty == 0);
   // If either were rare, this test would prove little.
-  CHECK(imported > 500);
-  CHECK(refused > 500);
+  CHECK(outcomes.imported > 500);
+  CHECK(outcomes.refused > 500);
+}
+
+TEST_CASE("20,000 files with values of their JSON mutated need less than 1 GiB", "[slow]") {
+  const Outcomes outcomes = import_mutations(20'000, std::size_t{256} << 20, [](const Bytes& original, int i) {
+    constexpr std::size_t max_size = 40'000;
+    Bytes bytes = original;
+    bytes.resize(std::max(original.size(), max_size));
+    bytes.resize(mutate_gltf(bytes.data(), original.size(), bytes.size(), static_cast<unsigned>(i)));
+    return bytes;
+  });
+  CHECK(outcomes.faulty == 0);
+  CHECK(outcomes.imported > 2000);
+  CHECK(outcomes.refused > 2000);
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  CHECK(used.ru_maxrss < 1 << 20);  // KiB
 }

@@ -65,7 +65,8 @@ struct OneView {
                                .sensor = make_stream(i, "sensor")});
     }
     ImageTimes times;
-    const ViewRecord record = make_images(wanted, stripes(wanted.master, fits_halves), folder.path, times);
+    const ViewRecord record =
+        make_images(wanted, stripes(wanted.master, fits_halves), folder.path, times).record;
     const Pinhole& camera = wanted.master;
     write_file(folder.path / "masters.csv",
                fmt::format("file,part,width,height,fx,fy,cx,cy,image_width,image_height,base_hfov_deg,"
