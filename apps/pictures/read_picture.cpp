@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "apps/pictures/colour_channels.h"
+#include "apps/pictures/dpx_header.h"
 #include "apps/pictures/jpeg_end.h"
 #include "apps/pictures/netpbm16.h"
 #include "apps/pictures/picture_file.h"
@@ -19,6 +20,7 @@ namespace {
 std::unique_ptr<OIIO::ImageInput> open(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) refuse_picture(file, "there is no such file");
+  check_dpx_header(file);
   OIIO::ImageSpec keep_alpha;
   keep_alpha.attribute("oiio:UnassociatedAlpha", 1);
   auto input = OIIO::ImageInput::open(file.string(), &keep_alpha);
