@@ -10,8 +10,9 @@ namespace cps {
 namespace {
 
 std::string warning(const std::vector<std::string>& views, const char* fault) {
-  return fmt::format("warning: {} {} {}, the first: {}; look at its image, and at the scene's lights and materials",
-                     views.size(), views.size() == 1 ? "view is" : "views are", fault, std::ranges::min(views));
+  return fmt::format(
+      "warning: {} {} {}, the first: {}; look at its image, and at the scene's lights and materials",
+      views.size(), views.size() == 1 ? "view is" : "views are", fault, std::ranges::min(views));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ std::function<void(const std::filesystem::path&, const DrivenScene&)> top_views_
   return [folder](const std::filesystem::path& scene_file, const DrivenScene& driven) {
     const std::string caption =
         driven.note.empty() ? scene_file.filename().string() + ": lanes of the file" : driven.note;
-    write_file(folder / (scene_file.stem().string() + ".png"), encode_png(top_view(driven.scene, caption, max_side_px)));
+    write_file(folder / (scene_file.stem().string() + ".png"),
+               encode_png(top_view(driven.scene, caption, max_side_px)));
   };
 }
 

@@ -9,10 +9,10 @@
 #include "dataset/labels/label.h"
 #include "dataset/pixels/image_file.h"
 #include "files/files.h"
+#include "numbers/srgb.h"
 #include "production/condition_scene.h"
 #include "production/view_render.h"
 #include "random/shuffle.h"
-#include "numbers/srgb.h"
 #include "sensor/develop.h"
 
 namespace cps {

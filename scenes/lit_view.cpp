@@ -6,12 +6,12 @@
 
 #include "numbers/luminance.h"
 #include "scenes/lattice.h"
-#include "scenes/mean_color.h"
+#include "scenes/surface_color.h"
 
 namespace cps {
 namespace {
 
-constexpr float sky_kcd_m2 = 5;     ///< order of magnitude of skies by day, clear or overcast
+constexpr float sky_kcd_m2 = 5;      ///< order of magnitude of skies by day, clear or overcast
 constexpr float lit_kcd_m2 = 1e-4f;  ///< a street by night has a hundred times as much
 
 float luminance_of(const Eigen::Vector3f& color) {
@@ -67,9 +67,8 @@ float luminance_along(const SceneRays& rays, const SceneLight& light, const Eige
   const Eigen::Vector3f normal = hit->normal.dot(direction) < 0 ? hit->normal : Eigen::Vector3f(-hit->normal);
   const auto distance_m = static_cast<float>(hit->distance_m);
   const Eigen::Vector3f point = from + distance_m * direction + (0.001f + 1e-4f * distance_m) * normal;
-  const float received =
-      from_around(rays, light, point, normal) +
-      from_lamps(rays, light, point, normal) / std::numbers::pi_v<float>;
+  const float received = from_around(rays, light, point, normal) +
+                         from_lamps(rays, light, point, normal) / std::numbers::pi_v<float>;
   return light.emitted_kcd_m2[hit->instance] + light.albedo[hit->instance] * received;
 }
 

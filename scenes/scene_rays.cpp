@@ -110,7 +110,9 @@ std::optional<SurfaceHit> first_hit(const SceneRays& rays, const Eigen::Vector3f
   return SurfaceHit{.distance_m = hit.ray.tfar,
                     .normal = normal,
                     .shows_back = !surface.double_sided && normal.dot(direction) > 0,
-                    .instance = static_cast<int>(hit.hit.instID[0])};
+                    .instance = static_cast<int>(hit.hit.instID[0]),
+                    .triangle = static_cast<int>(hit.hit.primID),
+                    .barycentric = {hit.hit.u, hit.hit.v}};
 }
 
 }  // namespace cps

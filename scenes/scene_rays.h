@@ -23,9 +23,11 @@ struct SceneRays {
 /// The first surface that a ray meets.
 struct SurfaceHit {
   double distance_m = 0;
-  Eigen::Vector3f normal;   ///< of the triangle's front face: world, unit
-  bool shows_back = false;  ///< the ray meets the back of a single-sided surface
-  int instance = 0;         ///< index into Scene::instances
+  Eigen::Vector3f normal;                ///< of the triangle's front face: world, unit
+  bool shows_back = false;               ///< the ray meets the back of a single-sided surface
+  int instance = 0;                      ///< index into Scene::instances
+  int triangle = 0;                      ///< index into Mesh::triangles
+  Eigen::Vector2f barycentric = {0, 0};  ///< weights of the triangle's second and third vertex
 };
 
 /// The first surface from `from` (world) along `direction` (world, unit), if any.

@@ -21,8 +21,7 @@ std::array<float, 255> srgb_thresholds() {
   std::array<float, 255> thresholds;
   for (int code = 1; code <= 255; ++code) {
     const double encoded = (code - 0.5) / 255.0;
-    thresholds[code - 1] =
-        static_cast<float>(linear_from_srgb(encoded));
+    thresholds[code - 1] = static_cast<float>(linear_from_srgb(encoded));
   }
   return thresholds;
 }

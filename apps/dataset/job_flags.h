@@ -12,8 +12,8 @@ namespace cps {
 
 /// Parses the arguments of a verb that works on a recipe: its own `options`, and those of every such verb,
 /// which are `--recipe`, the recipe's keys, `--threads`, and `--metres_per_unit`, `--up`, `--route` and
-/// `--look`, which say how cars drive through the scenes and show it. Stores the keys of the recipe's file. False after --help. Throws as
-/// parse_options() and store_named_recipe() do.
+/// `--look`, which say how cars drive through the scenes and show it. Stores the keys of the recipe's file.
+/// False after --help. Throws as parse_options() and store_named_recipe() do.
 bool parse_job_options(const std::vector<std::string>& arguments, const std::string& manual,
                        boost::program_options::options_description options,
                        boost::program_options::variables_map& values);

@@ -24,6 +24,17 @@ bool can_be_driven_z_up(Scene scene) {
   return !find_drives(ground_grid(scene, rays)).empty();
 }
 
+/// Mean share of directions in which things stand beside the drives.
+double things_along(const std::vector<Lane>& drives, const GroundGrid& ground) {
+  double sum = 0, points = 0;
+  for (const Lane& drive : drives)
+    for (const Eigen::Vector3f& point : drive.points) {
+      sum += ground.around_at({point.x(), point.z()}).share();
+      ++points;
+    }
+  return sum / points;
+}
+
 struct FoundDrives {
   std::vector<Lane> lanes;
   std::string why;  ///< what speaks for their ground
@@ -43,10 +54,11 @@ FoundDrives found_drives(const Scene& scene, const std::filesystem::path& file) 
                            : "no flat ground has things beside it",
         size.x(), size.y(), size.z(), can_be_driven_z_up(scene) ? "it looks z-up: try --up z, " : ""));
   }
+  const double things = things_along(drives, ground);
   return {std::move(drives),
-          fmt::format("on {:.0f} m2 of ground at y = {:.1f} m with things in {:.0f} % of all directions{}",
-                      ground.area_m2, ground.level_m, 100 * ground.things,
-                      ground.rivals > 0 ? fmt::format(", the best of {} such grounds", ground.rivals + 1) : "")};
+          fmt::format("on ground at y = {:.1f} m with things in {:.0f} % of all directions{}", ground.level_m,
+                      100 * things,
+                      ground.rivals > 0 ? fmt::format(", the best of {} grounds", ground.rivals + 1) : "")};
 }
 
 std::string scale_text(double metres_per_unit, const DriveOptions& options) {
@@ -80,8 +92,9 @@ DrivenScene load_driven_scene(const std::filesystem::path& file, const DriveOpti
     why = " " + found.why;
   }
   if (!has_lanes || !options.route.empty() || scale != 1)
-    driven.note = fmt::format("{}: {}, {} {}, {:.0f} m{}", file.filename().string(), scale_text(scale, options),
-                              scene.lanes.size(), lanes_are, length_m(scene.lanes), why);
+    driven.note =
+        fmt::format("{}: {}, {} {}, {:.0f} m{}", file.filename().string(), scale_text(scale, options),
+                    scene.lanes.size(), lanes_are, length_m(scene.lanes), why);
   return driven;
 }
 

@@ -20,8 +20,8 @@ struct DrivenScene {
   double metres_per_unit = 1;  ///< of the file's units
   bool is_z_up = false;        ///< the file is, and has been turned
   /// How scale and lanes were found, and why there, as a line to print: `littlest.glb: 0.01 m per unit
-  /// (guessed from its size), 12 drives found, 345 m on 650 m2 of ground at y = 0.2 m with things in 71 % of
-  /// all directions, the best of 3 such grounds`. Empty for a scene whose file has lanes in metres.
+  /// (guessed from its size), 12 drives found, 345 m on ground at y = 0.2 m with things in 71 % of all
+  /// directions, the best of 3 grounds`. Empty for a scene whose file has lanes in metres.
   std::string note = {};
 };
 

@@ -78,7 +78,6 @@ GroundGrid ground_grid(const Scene& scene, const SceneRays& rays) {
   grid.nx = layers.nx;
   grid.nz = layers.nz;
   grid.rivals = street.rivals;
-  grid.things = street.things;
   const int cells = grid.nx * grid.nz;
   grid.height.assign(cells, none);
   grid.east.assign(cells, 0);

@@ -21,7 +21,6 @@ struct GroundGrid {
   double area_m2 = 0;
   double level_m = 0;  ///< mean height
   int rivals = 0;      ///< StreetPiece::rivals
-  double things = 0;   ///< mean share of directions in which things stand beside it
 
   int index(int x, int z) const { return z * nx + x; }
   /// The cell whose centre is nearest to a point (x, z); −1 outside the grid.

@@ -8,7 +8,6 @@ namespace {
 /// What speaks for a piece being a street, and against it.
 struct PieceScore {
   double things = 0;                      ///< sum over sample points
-  double share_sum = 0;                   ///< of Surroundings::share() over sample points
   std::int64_t blocked = 0, ends = 0;     ///< edges at which something rises, edges of any kind
   std::int64_t on_body = 0, samples = 0;  ///< sample points on top of a closed body, all sample points
 };
@@ -31,8 +30,7 @@ bool is_blocked(const GroundLayers& layers, const SceneRays& rays, const Eigen::
 
 void add_sample(const GroundLayers& layers, const SceneRays& rays, int surface, PieceScore& score) {
   constexpr double share_below_roof = 0.25;
-  const double share = layers.around[surface].share(), things = std::max(0.0, share - few_things);
-  score.share_sum += share;
+  const double things = std::max(0.0, layers.around[surface].share() - few_things);
   score.things += layers.is_open[surface] != 0 ? things : share_below_roof * things;
   score.on_body += is_on_body(rays, layers.surfaces[surface]) ? 1 : 0;
   ++score.samples;
@@ -82,10 +80,9 @@ StreetPiece street_piece(const GroundLayers& layers, const SceneRays& rays) {
     if (best.piece < 0 || score.things > scores[best.piece].things) best.piece = piece;
   }
   if (best.piece < 0) return best;
-  const PieceScore& score = scores[best.piece];
-  best.things = score.share_sum / static_cast<double>(score.samples);
+  const double most = scores[best.piece].things;
   best.rivals = static_cast<int>(
-      std::ranges::count_if(things, [&](double other) { return other >= rival * score.things; }) - 1);
+      std::ranges::count_if(things, [&](double other) { return other >= rival * most; }) - 1);
   return best;
 }
 

@@ -9,8 +9,8 @@
 
 #include "numbers/srgb.h"
 #include "scenes/enclosures.h"
-#include "scenes/mean_color.h"
 #include "scenes/scene_rays.h"
+#include "scenes/surface_color.h"
 
 namespace cps {
 namespace {
@@ -31,7 +31,8 @@ struct Window {
 Window window_of(const Scene& scene, int max_side_px) {
   constexpr double margin_m = 40, max_ratio = 2;
   const Eigen::AlignedBox3d whole = bounds_without_enclosures(scene).cast<double>();
-  Eigen::AlignedBox2d shown(Vector2d(whole.min().x(), whole.min().z()), Vector2d(whole.max().x(), whole.max().z()));
+  Eigen::AlignedBox2d shown(Vector2d(whole.min().x(), whole.min().z()),
+                            Vector2d(whole.max().x(), whole.max().z()));
   Eigen::AlignedBox2d driven;
   for (const Lane& lane : scene.lanes)
     for (const Vector3f& point : lane.points) driven.extend(Vector2d(point.x(), point.z()));
@@ -42,13 +43,15 @@ Window window_of(const Scene& scene, int max_side_px) {
   }
   Window window{.corner = shown.min()};
   window.metres_per_px = std::max(shown.sizes().maxCoeff(), 1e-6) / max_side_px;
-  window.width = std::clamp(static_cast<int>(std::ceil(shown.sizes().x() / window.metres_per_px)), 1, max_side_px);
-  window.height = std::clamp(static_cast<int>(std::ceil(shown.sizes().y() / window.metres_per_px)), 1, max_side_px);
+  window.width =
+      std::clamp(static_cast<int>(std::ceil(shown.sizes().x() / window.metres_per_px)), 1, max_side_px);
+  window.height =
+      std::clamp(static_cast<int>(std::ceil(shown.sizes().y() / window.metres_per_px)), 1, max_side_px);
   return window;
 }
 
 /// Linear colour of what a point of the window shows: the uppermost surface, lit from the north-west.
-Vector3f color_at(const SceneRays& rays, const std::vector<Vector3f>& color_of, const Vector3f& above) {
+Vector3f color_at(const Scene& scene, const SceneRays& rays, const Vector3f& above) {
   static const Vector3f to_light = Vector3f(-1, 1.4f, -1).normalized();
   constexpr float ambient = 0.45f, direct = 0.75f;
   const Vector3f background(0.012f, 0.014f, 0.018f);
@@ -59,7 +62,7 @@ Vector3f color_at(const SceneRays& rays, const std::vector<Vector3f>& color_of, 
   const Vector3f point = above - Vector3f(0, fallen_m, 0) + (0.01f + 1e-5f * fallen_m) * normal;
   const bool is_lit = !first_hit(rays, point, to_light);
   const float light = ambient + (is_lit ? direct * std::max(0.0f, normal.dot(to_light)) : 0);
-  return light * color_of[hit->instance];
+  return light * base_color_at(scene, *hit);
 }
 
 /// Dots so dense that they make a line.
@@ -136,9 +139,6 @@ OIIO::ImageBuf top_view(const Scene& scene, const std::string& caption, int max_
   OIIO::ImageBufAlgo::fill(picture, {0.09f, 0.09f, 0.1f});
 
   const SceneRays rays(scene);
-  std::vector<Vector3f> color_of;
-  for (const Instance& instance : scene.instances)
-    color_of.push_back(mean_base_color(scene, scene.materials[scene.meshes[instance.mesh].material]));
   const float top = scene.bounds.max().y() + 1;
   for (int y = 0; y < window.height; ++y)
     for (int x = 0; x < window.width; ++x) {
@@ -147,16 +147,18 @@ OIIO::ImageBuf top_view(const Scene& scene, const std::string& caption, int max_
         const Vector2d at = window.corner + window.metres_per_px *
                                                 Vector2d(x + (s % samples_per_side + 0.5) / samples_per_side,
                                                          y + (s / samples_per_side + 0.5) / samples_per_side);
-        sum += color_at(rays, color_of, {static_cast<float>(at.x()), top, static_cast<float>(at.y())});
+        sum += color_at(scene, rays, {static_cast<float>(at.x()), top, static_cast<float>(at.y())});
       }
       const Vector3f mean = sum / (samples_per_side * samples_per_side);
-      const Vector3f encoded = mean.unaryExpr([](float c) { return static_cast<float>(srgb_from_linear(c)); });
+      const Vector3f encoded =
+          mean.unaryExpr([](float c) { return static_cast<float>(srgb_from_linear(c)); });
       picture.setpixel(x, y, encoded.data());
     }
   draw_lanes(picture, window, scene.lanes);
 
   const double bar_m = scale_bar_m(window);
-  const int bar_px = static_cast<int>(std::lround(bar_m / window.metres_per_px)), bar_y = window.height + line_px - 5;
+  const int bar_px = static_cast<int>(std::lround(bar_m / window.metres_per_px)),
+            bar_y = window.height + line_px - 5;
   draw_line(picture, Vector2d(6, bar_y), Vector2d(6 + bar_px, bar_y), 1, Vector3f::Constant(0.92f));
   write_text(picture, 14 + bar_px, window.height + line_px, text_px, fmt::format("{:g} m", bar_m));
   for (std::size_t i = 0; i < lines.size(); ++i)

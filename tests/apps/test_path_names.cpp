@@ -31,14 +31,15 @@ TEST_CASE("names with blanks and letters of any script work in every option that
 
   // Scenes and the dataset's folder; rig, recipe, route and look.
   write_file(folder / "mein rig ö.rig", read_file(std::string(CPS_RECIPES) + "/single.rig"));
-  write_file(folder / "mein Rezept 食.cfg",
-             "name = t\nscene = " + scene.string() +
-                 "\nsize = 80x45\nbase_hfov_deg = 60\nviews = 4\nlenses = 1\nsamples = 2\nrig = mein rig ö.rig\n"
-                 "split = thesis\n");
+  write_file(
+      folder / "mein Rezept 食.cfg",
+      "name = t\nscene = " + scene.string() +
+          "\nsize = 80x45\nbase_hfov_deg = 60\nviews = 4\nlenses = 1\nsamples = 2\nrig = mein rig ö.rig\n"
+          "split = thesis\n");
   write_file(folder / "Weg å.csv", std::string("x,y,z\n-100,0,-60\n100,0,-60\n"));
   const std::string generate = "generate --recipe " + quoted(folder / "mein Rezept 食.cfg") + " --route " +
-                               quoted(folder / "Weg å.csv") + " --look " + quoted(folder / "Blick ñ") + " -o " +
-                               quoted(out);
+                               quoted(folder / "Weg å.csv") + " --look " + quoted(folder / "Blick ñ") +
+                               " -o " + quoted(out);
   run(generate);
   CHECK_THAT(run(generate), Catch::Contains("nothing to do"));
   CHECK(fs::exists(folder / "Blick ñ" / "street.png"));
@@ -54,7 +55,8 @@ TEST_CASE("names with blanks and letters of any script work in every option that
   const fs::path lens = folder / "Objektiv ç.yml", pictures = folder / "Bilder ş";
   fs::rename(write_barrel(folder), lens);
   for (const char* name : {"eins zwei.png", "drei 三.png"})
-    write_image(pictures / name, 160, 100, 3, OIIO::TypeUInt8, [](int x, int y, int c) { return noise(x, y, c); });
+    write_image(pictures / name, 160, 100, 3, OIIO::TypeUInt8,
+                [](int x, int y, int c) { return noise(x, y, c); });
   run("lens check " + quoted(lens));
   run("undistort " + quoted(pictures / "drei 三.png") + " --lens " + quoted(lens) + " -o " +
       quoted(folder / "gerade ü.png"));

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "scenes/lit_view.h"
-#include "scenes/mean_color.h"
+#include "scenes/surface_color.h"
 #include "tests/scenes/box.h"
 
 using namespace cps;
@@ -19,8 +19,8 @@ void add_box(Scene& scene, const Vector3f& low, const Vector3f& high) {
   scene.instances.push_back(instance);
 }
 
-/// A room of six slabs, 20 m × 6 m × 20 m inside; its east wall has a hole of `hole_m` × `hole_m` at the eye's
-/// height.
+/// A room of six slabs, 20 m × 6 m × 20 m inside; its east wall has a hole of `hole_m` × `hole_m` at the
+/// eye's height.
 Scene room(float albedo, float hole_m = 0) {
   Scene scene;
   scene.materials.resize(1);

@@ -165,7 +165,8 @@ TEST_CASE("what the importer leaves out is said once on stderr and kept in datas
   gltf["materials"][0]["extensions"]["KHR_materials_sheen"] = nlohmann::ordered_json::object();
   gltf["extensionsUsed"] = {"KHR_materials_sheen"};
   const double east_m = 456'000, south_m = -5'430'000;
-  gltf["nodes"].push_back({{"translation", {east_m, 112, south_m}}, {"children", gltf["scenes"][0]["nodes"]}});
+  gltf["nodes"].push_back(
+      {{"translation", {east_m, 112, south_m}}, {"children", gltf["scenes"][0]["nodes"]}});
   gltf["scenes"][0]["nodes"] = {gltf["nodes"].size() - 1};
   for (auto& lane : gltf["scenes"][0]["extras"]["cps_lanes"])
     for (auto& point : lane["points"]) {
@@ -199,9 +200,11 @@ TEST_CASE("a scene that no light reaches has no places, and the message says why
   // Every street becomes a closed tunnel, 8 m wide and 5 m high.
   for (int street = 0; street < 6; ++street) {
     const double z = -60 + 24 * street;
-    for (const auto& [x, y, dz, sx, sy, sz] :
-         {std::tuple{0, 5, 0, 320, 1, 10}, {0, 0, -5, 320, 6, 1}, {0, 0, 5, 320, 6, 1}, {-158, 0, 0, 1, 6, 10},
-          {158, 0, 0, 1, 6, 10}}) {
+    for (const auto& [x, y, dz, sx, sy, sz] : {std::tuple{0, 5, 0, 320, 1, 10},
+                                               {0, 0, -5, 320, 6, 1},
+                                               {0, 0, 5, 320, 6, 1},
+                                               {-158, 0, 0, 1, 6, 10},
+                                               {158, 0, 0, 1, 6, 10}}) {
       gltf["nodes"].push_back({{"mesh", 1}, {"translation", {x, y, z + dz}}, {"scale", {sx, sy, sz}}});
       gltf["scenes"][0]["nodes"].push_back(gltf["nodes"].size() - 1);
     }

@@ -24,11 +24,13 @@ std::vector<Sample> picture_samples(const fs::path& folder) {
   for (const PictureFormat& format : picture_formats())
     for (const OIIO::TypeDesc& type : format.types) {
       const std::string extension = format.extensions.front();
-      Picture picture{.pixels = {}, .file = OIIO::ImageSpec(width, height, 3, type), .is_light = true, .is_srgb = true};
+      Picture picture{
+          .pixels = {}, .file = OIIO::ImageSpec(width, height, 3, type), .is_light = true, .is_srgb = true};
       picture.pixels.reset(OIIO::ImageSpec(width, height, 3, OIIO::TypeFloat));
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-          const float pixel[] = {static_cast<float>(noise(x, y, 0)), static_cast<float>(noise(x, y, 1)), 0.5f};
+          const float pixel[] = {static_cast<float>(noise(x, y, 0)), static_cast<float>(noise(x, y, 1)),
+                                 0.5f};
           picture.pixels.setpixel(x, y, pixel);
         }
       const fs::path file = folder / ("sample" + extension);

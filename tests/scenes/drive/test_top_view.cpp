@@ -63,7 +63,8 @@ TEST_CASE("a top view shows surfaces in their colours where they are, with shado
 
 TEST_CASE("of a large scene with a short drive, the surroundings of the drive are shown") {
   Scene scene = house_on_a_lawn();
-  scene.instances[0].world_from_mesh = Eigen::Translation3f(0, -1, 0) * Eigen::Scaling(Vector3f(5000, 1, 5000));
+  scene.instances[0].world_from_mesh =
+      Eigen::Translation3f(0, -1, 0) * Eigen::Scaling(Vector3f(5000, 1, 5000));
   scene.bounds = Eigen::AlignedBox3f(Vector3f(-5000, -2, -5000), Vector3f(5000, 10, 5000));
   const OIIO::ImageBuf picture = top_view(scene, "", 400);
   // 120 m of lane and 40 m at both ends are 200 m wide and 80 m high.
@@ -76,5 +77,6 @@ TEST_CASE("a scene without lanes and a caption longer than the picture is wide a
   Scene scene = house_on_a_lawn();
   scene.lanes.clear();
   const int short_height = top_view(scene, "short", 400).spec().height;
-  CHECK(top_view(scene, std::string(300, 'x') + " " + std::string(100, 'y'), 400).spec().height > short_height + 30);
+  CHECK(top_view(scene, std::string(300, 'x') + " " + std::string(100, 'y'), 400).spec().height >
+        short_height + 30);
 }

@@ -85,13 +85,14 @@ TEST_CASE("5,000 mutated files give valid scenes or are refused in one line") {
 }
 
 TEST_CASE("100,000 files with values of their JSON mutated need less than 1 GiB", "[slow]") {
-  const Outcomes outcomes = import_mutations(100'000, std::size_t{256} << 20, [](const Bytes& original, int i) {
-    constexpr std::size_t max_size = 40'000;
-    Bytes bytes = original;
-    bytes.resize(std::max(original.size(), max_size));
-    bytes.resize(mutate_gltf(bytes.data(), original.size(), bytes.size(), static_cast<unsigned>(i)));
-    return bytes;
-  });
+  const Outcomes outcomes =
+      import_mutations(100'000, std::size_t{256} << 20, [](const Bytes& original, int i) {
+        constexpr std::size_t max_size = 40'000;
+        Bytes bytes = original;
+        bytes.resize(std::max(original.size(), max_size));
+        bytes.resize(mutate_gltf(bytes.data(), original.size(), bytes.size(), static_cast<unsigned>(i)));
+        return bytes;
+      });
   CHECK(outcomes.faulty == 0);
   CHECK(outcomes.imported > 10'000);
   CHECK(outcomes.refused > 10'000);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scenes/scene.h"
+#include "scenes/scene_rays.h"
 
 namespace cps {
 
@@ -11,5 +12,8 @@ Eigen::Vector3f mean_color(const Texture& texture);
 /// colour), each with the mean of its texture.
 Eigen::Vector3f mean_base_color(const Scene& scene, const Material& material);
 Eigen::Vector3f mean_emission(const Scene& scene, const Material& material);
+
+/// The base colour (linear) at a point of a surface: of the nearest texel and vertex colours.
+Eigen::Vector3f base_color_at(const Scene& scene, const SurfaceHit& hit);
 
 }  // namespace cps
