@@ -3,7 +3,6 @@
 #include <ATen/ATen.h>
 
 #include <cstring>
-#include <set>
 #include <stdexcept>
 
 namespace cps {
@@ -18,20 +17,24 @@ struct Operator {
   std::map<std::string, ReadAttribute> left;
   std::vector<Tensor> inputs;
 
-  ReadAttribute take(const std::string& name) {
+  /// `type`: a number of AttributeProto.AttributeType.
+  ReadAttribute take(const std::string& name, int type) {
     const ReadAttribute attribute = left.at(name);
+    if (attribute.type != type) throw std::runtime_error(name + ": is of another type");
     left.erase(name);
     return attribute;
   }
+  std::int64_t take_integer(const std::string& name) { return take(name, 2).integer; }
+  std::vector<std::int64_t> take_integers(const std::string& name) { return take(name, 7).integers; }
   /// Pads of both axes, which must be the same on both sides.
   std::vector<std::int64_t> take_pads() {
     const std::vector<std::int64_t> pads =
-        left.contains("pads") ? take("pads").integers : std::vector<std::int64_t>(4);
+        left.contains("pads") ? take_integers("pads") : std::vector<std::int64_t>(4);
     if (pads.size() != 4 || pads[0] != pads[2] || pads[1] != pads[3]) throw std::runtime_error("uneven pads");
     return {pads[0], pads[1]};
   }
   std::vector<std::int64_t> take_strides() {
-    return left.contains("strides") ? take("strides").integers : std::vector<std::int64_t>{1, 1};
+    return left.contains("strides") ? take_integers("strides") : std::vector<std::int64_t>{1, 1};
   }
   std::vector<std::int64_t> input_integers(std::size_t i) const {
     const Tensor numbers = inputs.at(i).to(torch::kLong).contiguous();
@@ -40,28 +43,28 @@ struct Operator {
   }
 
   Tensor convolution() {
-    if (take("kernel_shape").integers != inputs[1].sizes().slice(2).vec())
+    if (take_integers("kernel_shape") != inputs[1].sizes().slice(2).vec())
       throw std::runtime_error("kernel_shape is not the kernel's");
     const auto pads = take_pads(), strides = take_strides();
     return at::conv2d(inputs[0], inputs[1], {}, strides, pads);
   }
   Tensor pool() {
-    const auto kernel = take("kernel_shape").integers, pads = take_pads(), strides = take_strides();
+    const auto kernel = take_integers("kernel_shape"), pads = take_pads(), strides = take_strides();
     return at::max_pool2d(inputs[0], kernel, strides, pads);
   }
   /// Repeats the outermost pixels.
   Tensor pad() {
     const std::vector<std::int64_t> pads = input_integers(1);
-    if (take("mode").text != "edge" || pads.size() != 8 || pads[0] + pads[1] + pads[4] + pads[5] != 0)
+    if (take("mode", 3).text != "edge" || pads.size() != 8 || pads[0] + pads[1] + pads[4] + pads[5] != 0)
       throw std::runtime_error("unknown pads");
     return at::replication_pad2d(inputs[0], {pads[3], pads[7], pads[2], pads[6]});
   }
   Tensor batch_norm() {
     return at::batch_norm(inputs[0], inputs[1], inputs[2], inputs[3], inputs[4], false, 0,
-                          take("epsilon").real, false);
+                          take("epsilon", 1).real, false);
   }
   Tensor linear() {
-    const Tensor weights = take("transB").integer ? inputs[1].t() : inputs[1];
+    const Tensor weights = take_integer("transB") ? inputs[1].t() : inputs[1];
     return at::matmul(inputs[0], weights) + inputs[2];
   }
 
@@ -79,11 +82,11 @@ struct Operator {
     if (op == "Div") return inputs[0] / inputs[1];
     if (op == "Sqrt") return at::sqrt(inputs[0]);
     if (op == "Tan") return at::tan(inputs[0]);
-    if (op == "Concat") return at::cat(inputs, take("axis").integer);
-    if (op == "Flatten") return inputs[0].flatten(take("axis").integer);
+    if (op == "Concat") return at::cat(inputs, take_integer("axis"));
+    if (op == "Flatten") return inputs[0].flatten(take_integer("axis"));
     if (op == "GlobalAveragePool") return inputs[0].mean({2, 3}, true);
-    if (op == "ReduceSum") return inputs[0].sum(input_integers(1), take("keepdims").integer != 0);
-    if (op == "Gather") return inputs[0].select(take("axis").integer, inputs[1].item<std::int64_t>());
+    if (op == "ReduceSum") return inputs[0].sum(input_integers(1), take_integer("keepdims") != 0);
+    if (op == "Gather") return inputs[0].select(take_integer("axis"), inputs[1].item<std::int64_t>());
     throw std::runtime_error("unknown operator " + op);
   }
 };
