@@ -16,7 +16,7 @@ TEST_CASE("the graph computes the predictor's labels") {
   const TemporaryFolder folder;
   TrainOptions options;
   options.reduction.width = 32;
-  const auto& [architecture, all_inputs] = GENERATE(
+  const auto [architecture, all_inputs] = GENERATE(
       table<std::string, bool>({{"resnet18", true}, {"resnet34-nopool", false}, {"resnet50", true}}));
   options.architecture = architecture;
   options.size_features = options.edge_channel = all_inputs;
