@@ -12,6 +12,7 @@
 #include "distortion/warp/view_fit.h"
 #include "files/files.h"
 #include "trainer/network/threads.h"
+#include "trainer/onnx/export_onnx.h"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -20,7 +21,7 @@ namespace cps {
 namespace {
 
 struct Request {
-  std::string model, json, cameras, format = "opencv-yaml", undistorted, device = "cpu";
+  std::string model, json, cameras, format = "opencv-yaml", undistorted, device = "cpu", exported_as, out;
   std::vector<std::string> images;
   int threads = 0;
   PredictOptions options;
@@ -30,8 +31,7 @@ po::options_description describe(Request& r) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("model", po::value(&r.model)->required(), "model folder");
-  add("image", po::value(&r.images)->required(),
-      "pictures, or folders of pictures; --image itself may be omitted");
+  add("image", po::value(&r.images), "pictures, or folders of pictures; --image itself may be omitted");
   add("json", po::value(&r.json), "also write the predictions to this JSON file");
   add("cameras", po::value(&r.cameras),
       "folder for calibration files, one per picture, each with a certified lens");
@@ -39,11 +39,36 @@ po::options_description describe(Request& r) {
       "format of the calibration files: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
   add("undistort", po::value(&r.undistorted),
       "folder for undistorted pictures, made with the predicted lens and without black borders");
+  add("export", po::value(&r.exported_as),
+      "instead of predicting, write the network in the format of other programs: onnx");
+  add("out,o", po::value(&r.out), "file that --export writes [MODEL/model.onnx]");
   add("variants", po::value(&r.options.variants)->default_value(r.options.variants),
       "variants of each picture whose predictions give the spread; 0: no spread");
   add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
   return options;
+}
+
+/// Throws if options are missing, or do not go together.
+void check(const Request& r) {
+  if (r.options.variants < 0 || r.options.variants > 1000)
+    throw po::error("--variants: must lie in [0, 1000]");
+  if (r.exported_as.empty()) {
+    if (r.images.empty()) throw po::error("name the pictures to predict, or --export onnx");
+    if (!r.out.empty()) throw po::error("--out: belongs to --export onnx; for predictions use --json FILE");
+    return;
+  }
+  if (r.exported_as != "onnx") throw po::error("--export " + r.exported_as + ": must be onnx");
+  if (!r.images.empty() || !r.json.empty() || !r.cameras.empty() || !r.undistorted.empty())
+    throw po::error(
+        "--export: writes the network and predicts nothing: leave out pictures, --json, --cameras "
+        "and --undistort");
+}
+
+void export_network(const Request& r) {
+  const fs::path file = r.out.empty() ? fs::path(r.model) / onnx_file_name : fs::path(r.out);
+  write_onnx(r.model, file);
+  std::cout << "written to " << file.string() << "\n";
 }
 
 std::vector<fs::path> pictures(const std::vector<std::string>& names) {
@@ -76,18 +101,22 @@ int predict_verb(const Arguments& arguments) {
   po::variables_map values;
   if (!parse_options(arguments,
                      R"(cps predict --model MODEL IMAGE...
+cps predict --model MODEL --export onnx [-o FILE]
 Runs a trained network on images: prints H-FOV, distortion and principal point, and the true values if a calibration.json
 lies beside the image. Calibration files and undistorted pictures use a certified lens: if the predicted one is not
-certified, its distortion is reduced until it is.
+certified, its distortion is reduced until it is. The second form writes the network for other programs.
 )",
                      describe(request), positional, values))
     return 0;
   po::notify(values);
-  if (request.options.variants < 0 || request.options.variants > 1000)
-    throw po::error("--variants: must lie in [0, 1000]");
+  check(request);
   const CalibrationFormat format =
       usage_checked([&] { return calibration_format_from_string(request.format); });
   const Device device = usage_checked([&] { return device_from_string(request.device); });
+  if (!request.exported_as.empty()) {
+    export_network(request);
+    return 0;
+  }
   use_threads(request.threads);
 
   const Predictor predictor(request.model, device);

@@ -1,5 +1,6 @@
 #include "trainer/training/train.h"
 
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
@@ -7,9 +8,11 @@
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "trainer/model/train_presets.h"
+#include "trainer/onnx/export_onnx.h"
 #include "trainer/training/ranks.h"
 
 namespace po = boost::program_options;
+namespace fs = std::filesystem;
 
 namespace cps {
 namespace {
@@ -89,6 +92,7 @@ int train_verb(const Arguments& arguments) {
   TrainOptions options;
   Words words{to_string(options.target_space), to_string(options.loss)};
   std::string data, out, device, presets;
+  bool with_onnx = true;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
   po::options_description files("Files");
@@ -97,6 +101,7 @@ int train_verb(const Arguments& arguments) {
       "preset", po::value<std::string>(), (presets + "flags below override it").c_str())(
       "device", po::value<std::string>(&device)->default_value("cpu"), "where to compute: cpu or cuda")(
       "resume", po::bool_switch(), "continue the training of the model in --out, with its own options");
+  flag(files, "onnx", with_onnx, "at the end, also write the network as model.onnx");
   const po::options_description how = training_flags(options, words);
   po::options_description all;
   all.add(files).add(how);
@@ -134,6 +139,7 @@ Trains a network on the train images of a dataset and keeps the weights that do 
       ranks, computed_on);
   if (ranks.rank != 0) return 0;
   for (const std::string& why : summary.skipped) std::cerr << "left out: " << why << "\n";
+  if (with_onnx) write_onnx(out, fs::path(out) / onnx_file_name);
   std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
   return 0;
 }

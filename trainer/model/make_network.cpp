@@ -2,10 +2,14 @@
 
 namespace cps {
 
+NetworkOptions network_options(const TrainOptions& options) {
+  return {.dropout = options.dropout,
+          .size_features = options.size_features,
+          .edge_channel = options.edge_channel};
+}
+
 std::shared_ptr<Network> make_network(const TrainOptions& options) {
-  return make_resnet(*find_architecture(options.architecture), {.dropout = options.dropout,
-                                                                .size_features = options.size_features,
-                                                                .edge_channel = options.edge_channel});
+  return make_resnet(*find_architecture(options.architecture), network_options(options));
 }
 
 }  // namespace cps

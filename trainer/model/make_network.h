@@ -7,6 +7,9 @@
 
 namespace cps {
 
+/// What make_resnet() has to know of the options, apart from the architecture.
+NetworkOptions network_options(const TrainOptions& options);
+
 /// A network as the options describe it: architecture, inputs, dropout. Its initial weights come from torch's
 /// global generator; options.initial_weights are not read.
 std::shared_ptr<Network> make_network(const TrainOptions& options);

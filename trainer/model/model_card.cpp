@@ -5,11 +5,6 @@
 #include "files/files.h"
 
 namespace cps {
-namespace {
-
-constexpr int model_schema = 2;
-
-}  // namespace
 
 void save_model_card(const ModelCard& card, const std::filesystem::path& model_folder) {
   const nlohmann::ordered_json json{

@@ -9,6 +9,9 @@
 
 namespace cps {
 
+/// Version of model.json.
+inline constexpr int model_schema = 2;
+
 /// Everything about a model except its weights: model.json in the model folder.
 struct ModelCard {
   TrainOptions options;  ///< as trained, with architecture, input size and target space

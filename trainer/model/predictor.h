@@ -20,6 +20,8 @@ class Predictor {
   explicit Predictor(const std::filesystem::path& model_folder, Device device = Device::cpu);
 
   const ModelCard& card() const { return card_; }
+  /// The network with its trained weights.
+  const Network& network() const { return *network_; }
 
   /// Runs the network on the images. Returns its outputs for each, in order, in the model's target space and
   /// natural units. The images must have been reduced by card().options.reduction; their sizes may differ.

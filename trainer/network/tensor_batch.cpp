@@ -23,8 +23,8 @@ torch::Tensor size_tensor(std::span<const BatchImage> images) {
   torch::Tensor tensor = torch::empty({static_cast<long>(images.size()), 2});
   float* out = tensor.data_ptr<float>();
   for (const BatchImage& image : images) {
-    *out++ = static_cast<float>(image.original.height / 2160.0);
-    *out++ = static_cast<float>(image.original.width / 3840.0);
+    *out++ = static_cast<float>(image.original.height / double{size_unit.height});
+    *out++ = static_cast<float>(image.original.width / double{size_unit.width});
   }
   return tensor;
 }

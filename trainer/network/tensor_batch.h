@@ -13,7 +13,10 @@ namespace cps {
 /// All images must have one size.
 torch::Tensor image_tensor(std::span<const BatchImage> images, const PixelStatistics& statistics);
 
-/// The size features, [n, 2] float: height/2160, width/3840 of the original images.
+/// The unit of the size features.
+inline constexpr ImageSize size_unit{.width = 3840, .height = 2160};
+
+/// The size features, [n, 2] float: height and width of the original images, in size_unit.
 torch::Tensor size_tensor(std::span<const BatchImage> images);
 
 }  // namespace cps

@@ -9,6 +9,7 @@
 #include "trainer/model/predictor.h"
 #include "trainer/network/threads.h"
 #include "trainer/network/weights.h"
+#include "trainer/onnx/export_onnx.h"
 #include "trainer/training/distillation.h"
 #include "trainer/training/epoch.h"
 #include "trainer/training/history.h"
@@ -149,7 +150,10 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
       card.validation_loss = report.validation_loss;
     }
     if (ranks.rank == 0) {
-      if (report.is_best) save_tensors(weights_of(state.judged()), model_folder / "weights.pt");
+      if (report.is_best) {
+        fs::remove(model_folder / onnx_file_name);  // of an earlier run: holds other weights
+        save_tensors(weights_of(state.judged()), model_folder / "weights.pt");
+      }
       save_training_state(state, model_folder / "state.pt");
       save_history(state.epochs, model_folder);
       save_model_card(card, model_folder);

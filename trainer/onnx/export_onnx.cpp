@@ -1,0 +1,47 @@
+#include "trainer/onnx/export_onnx.h"
+
+#include "dataset/labels/group_label.h"
+#include "files/files.h"
+#include "trainer/model/make_network.h"
+#include "trainer/model/predictor.h"
+#include "trainer/network/weights.h"
+#include "trainer/onnx/label_graph.h"
+#include "trainer/onnx/onnx_bytes.h"
+#include "trainer/onnx/onnx_metadata.h"
+#include "trainer/onnx/resnet_graph.h"
+
+namespace cps {
+namespace {
+
+OnnxGraph graph_of(const Network& network, const ModelCard& card) {
+  const TrainOptions& options = card.options;
+  OnnxGraph graph;
+  graph.name = options.architecture;
+  const std::string image = "image", size = "size";
+  graph.inputs = {{image, "gray pixels of the reduced images, 0 to 255", {"N", 1, "H", "W"}},
+                  {size, "height and width of the original images, pixels", {"N", 2}}};
+  const std::string input = add_input_layers(graph, image, card.pixels, options.edge_channel);
+  const std::string outputs = add_resnet(graph, input, size, *find_architecture(options.architecture),
+                                         network_options(options), weights_of(network));
+  add_label_outputs(graph, outputs, size, card.targets, options.target_space);
+  return graph;
+}
+
+}  // namespace
+
+void write_onnx(const std::filesystem::path& model_folder, const std::filesystem::path& file) {
+  const Predictor predictor(model_folder);
+  const std::string generator = generator_name();  // program and version
+  const std::size_t space = generator.find(' ');
+  const OnnxModel model{
+      .producer = generator.substr(0, space),
+      .producer_version = generator.substr(space + 1),
+      .description =
+          "Reads field of view, lens distortion and principal point of a camera from one image. The "
+          "metadata say how to make the inputs and what the outputs are.",
+      .graph = graph_of(predictor.network(), predictor.card()),
+      .metadata = onnx_metadata(predictor.card(), sha256(read_file(model_folder / "weights.pt")))};
+  write_file(file, onnx_bytes(model));
+}
+
+}  // namespace cps
