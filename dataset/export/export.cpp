@@ -87,7 +87,7 @@ ExportSummary export_dataset(const ExportSource& source, const std::filesystem::
                              ": has no frames.csv, so no poses, which --to " + target.name +
                              " needs: choose another target");
   ExportFolder folder(out, source, options);
-  ExportSummary summary{.was_finished = folder.is_finished(), .note = {}};
+  ExportSummary summary{.was_finished = folder.is_finished()};
   if (!summary.was_finished) {
     target.write({source, options, folder, progress});
     folder.finish();

@@ -23,10 +23,10 @@ struct ExportOptions {
   int shard_mb = 256;  ///< webdataset: most bytes of a tar, in millions; a larger image gets a tar of its own
   bool copy = false;   ///< copy images where they could be hard links
   /// huggingface: what only the publisher of a dataset knows. Empty: left out.
-  std::string license;    ///< an identifier such as cc-by-4.0
-  std::string url;        ///< of the dataset's page
-  std::string creator;    ///< a person or an organisation
-  std::string published;  ///< YYYY-MM-DD
+  std::string license = {};    ///< an identifier such as cc-by-4.0
+  std::string url = {};        ///< of the dataset's page
+  std::string creator = {};    ///< a person or an organisation
+  std::string published = {};  ///< YYYY-MM-DD
 
   /// The names and values of these four.
   std::array<std::pair<const char*, const std::string*>, 4> publication() const;
@@ -36,7 +36,7 @@ struct ExportOptions {
 
 struct ExportSummary {
   bool was_finished = false;  ///< the folder held this very export already
-  std::string note;           ///< what the export lacks and how to get it; empty if nothing
+  std::string note = {};      ///< what the export lacks and how to get it; empty if nothing
 };
 
 /// Told of images that have reached the export: how many more, and the last of them. May throw to stop.

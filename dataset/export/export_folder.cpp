@@ -106,7 +106,7 @@ void ExportFolder::add_image(const ExportSource& source, const DatasetImage& ima
 
 ExportedFile ExportFolder::write(const std::string& name,
                                  const std::function<void(const Append&)>& produce) const {
-  ExportedFile file{.name = name, .sha256 = {}};
+  ExportedFile file{.name = name};
   Sha256 hash;
   write_in_pieces(out_ / name, [&](const Append& append) {
     produce([&](std::span<const char> bytes) {

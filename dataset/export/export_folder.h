@@ -18,7 +18,7 @@ struct ExportedFile {
   std::string name;  ///< relative to the export's folder
   std::int64_t samples = 0;
   std::uint64_t bytes = 0;
-  std::string sha256;
+  std::string sha256 = {};
 };
 
 /// The folder that an export is written to. Until the export is finished it holds .cps/, whose export.json

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "files/file_lock.h"
 #include "tests/dataset/edit_csv.h"
 #include "tests/dataset/export/exported.h"
 
