@@ -135,12 +135,14 @@ nlohmann::ordered_json croissant(const ExportJob& job, const std::vector<Hugging
   if (!options.url.empty()) json["url"] = options.url;
   if (!options.creator.empty()) json["creator"] = {{"@type", "sc:Organization"}, {"name", options.creator}};
   if (!options.published.empty()) json["datePublished"] = options.published;
-  json["distribution"] = json["recordSet"] = Json::array();
+  Json files = Json::array(), record_sets = Json::array();
   for (const HuggingFaceSplit& split : splits) {
-    add_files(json["distribution"], split);
-    json["recordSet"].push_back(labels_set(split));
-    json["recordSet"].push_back(images_set(job.source, split));
+    add_files(files, split);
+    record_sets.push_back(labels_set(split));
+    record_sets.push_back(images_set(job.source, split));
   }
+  json["distribution"] = files;
+  json["recordSet"] = record_sets;
   return json;
 }
 

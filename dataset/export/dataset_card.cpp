@@ -92,7 +92,7 @@ A point (X, Y, Z) in camera axes (x right, y down, z forward) has x = X/Z, y = Y
 
 ```python
 from datasets import load_dataset
-data = load_dataset("imagefolder", data_dir="PATH OF THIS FOLDER")
+data = load_dataset("PATH OF THIS FOLDER")
 print(data["train"][0])
 ```
 )";

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 
 #include "dataset/exchange/calibration_file.h"
