@@ -1,9 +1,6 @@
 #include "files/files.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -11,8 +8,8 @@
 #include <fstream>
 #include <random>
 #include <stdexcept>
-#include <utility>
-#include <vector>
+
+#include "files/pieces.h"
 
 namespace cps {
 namespace {
@@ -41,37 +38,6 @@ bool is_temporary_name(std::string_view name) {
   return unique.find('-') == process_digits && are_digits(unique.substr(0, process_digits)) &&
          are_digits(unique.substr(process_digits + 1));
 }
-
-/// A file that is being written. The functions throw std::runtime_error with the cause.
-class NewFile {
- public:
-  explicit NewFile(const std::filesystem::path& file)
-      : descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
-    if (descriptor_ < 0) throw std::runtime_error(std::strerror(errno));
-  }
-  ~NewFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  void append(std::span<const char> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
-      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-  }
-
-  void close() {
-    // Renamed before its bytes are on the disk, a file could be empty under its final name after a power cut.
-    if (fdatasync(descriptor_) != 0 && errno != EINVAL) throw std::runtime_error(std::strerror(errno));
-    if (::close(std::exchange(descriptor_, -1)) != 0) throw std::runtime_error(std::strerror(errno));
-  }
-
- private:
-  int descriptor_;
-};
 
 }  // namespace
 
@@ -105,14 +71,6 @@ void write_by_rename(const std::filesystem::path& file,
   }
 }
 
-void write_in_pieces(const std::filesystem::path& file, const std::function<void(const Append&)>& produce) {
-  write_by_rename(file, [&](const std::filesystem::path& temporary) {
-    NewFile out(temporary);
-    produce([&](std::span<const char> bytes) { out.append(bytes); });
-    out.close();
-  });
-}
-
 void write_file(const std::filesystem::path& file, std::span<const char> bytes) {
   write_in_pieces(file, [&](const Append& append) { append(bytes); });
 }
@@ -127,44 +85,9 @@ void write_json(const std::filesystem::path& file, const nlohmann::ordered_json&
   write_file(file, json.dump(2) + "\n");
 }
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
-  if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available in this build of OpenSSL");
-}
-
-void Sha256::add(std::span<const char> bytes) {
-  if (EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) != 1)
-    throw std::runtime_error("SHA-256 failed in this build of OpenSSL");
-}
-
-std::string Sha256::hex() {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_DigestFinal_ex(context_.get(), digest, &size) != 1)
-    throw std::runtime_error("SHA-256 failed in this build of OpenSSL");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) {
-    constexpr char digits[] = "0123456789abcdef";
-    hex += {digits[digest[i] >> 4], digits[digest[i] & 15]};
-  }
-  return hex;
-}
-
 std::string sha256(std::span<const char> bytes) {
   Sha256 hash;
   hash.add(bytes);
-  return hash.hex();
-}
-
-std::string sha256_of_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Sha256 hash;
-  std::vector<char> piece(1 << 20);
-  while (stream) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    hash.add({piece.data(), static_cast<std::size_t>(stream.gcount())});
-  }
-  if (!stream.eof()) throw std::runtime_error(file.string() + ": cannot be read: " + std::strerror(errno));
   return hash.hex();
 }
 

@@ -2,12 +2,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
-
-struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
 
 /// Reading and writing whole files. Files appear by atomic rename: a file under its final name is complete,
 /// even if the program was killed while writing it.
@@ -24,12 +21,6 @@ nlohmann::json read_json(const std::filesystem::path& file);
 /// and cause, and then leaves no temporary file behind.
 void write_file(const std::filesystem::path& file, std::span<const char> bytes);
 
-/// Takes the next bytes of a file. Throws std::runtime_error with the cause when they cannot be written.
-using Append = std::function<void(std::span<const char>)>;
-
-/// The same for a file that is too large to hold in memory: `produce` appends it piece by piece.
-void write_in_pieces(const std::filesystem::path& file, const std::function<void(const Append&)>& produce);
-
 /// The same for writers that need a file name: `write` gets the temporary name and throws when it fails. Does
 /// not wait for the disk.
 void write_by_rename(const std::filesystem::path& file,
@@ -42,22 +33,7 @@ void remove_temporaries(const std::filesystem::path& folder);
 /// Indented JSON with a final newline.
 void write_json(const std::filesystem::path& file, const nlohmann::ordered_json& json);
 
-/// SHA-256 of bytes that come in pieces. Throws std::runtime_error where OpenSSL has none.
-class Sha256 {
- public:
-  Sha256();
-  void add(std::span<const char> bytes);
-  /// In lower-case hex; the last thing to ask.
-  std::string hex();
-
- private:
-  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
-};
-
 /// SHA-256 in lower-case hex.
 std::string sha256(std::span<const char> bytes);
-
-/// The same of a file of any size. Throws std::runtime_error naming it when it cannot be read.
-std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace cps

@@ -2,6 +2,7 @@
 
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/export/posed_images.h"
+#include "files/files.h"
 
 /// COLMAP's text model, one a condition: <condition>/sparse/0/cameras.txt, images.txt and points3D.txt, with
 /// the images below <condition>/images. A camera is a group. COLMAP's camera looks as ours does (x right, y

@@ -5,6 +5,7 @@
 
 #include "dataset/job/job.h"
 #include "dataset/labels/group_label.h"
+#include "files/files.h"
 
 namespace cps {
 namespace {

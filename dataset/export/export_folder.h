@@ -9,7 +9,7 @@
 #include "dataset/export/export.h"
 #include "dataset/export/source.h"
 #include "files/file_lock.h"
-#include "files/files.h"
+#include "files/pieces.h"
 
 namespace cps {
 

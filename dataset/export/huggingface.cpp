@@ -1,6 +1,7 @@
 #include "dataset/export/huggingface.h"
 
 #include "dataset/export/sample_columns.h"
+#include "files/files.h"
 
 /// Hugging Face's ImageFolder: a folder per split with its images and metadata.jsonl, README.md as dataset
 /// card, and croissant.json.

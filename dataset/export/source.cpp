@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "files/files.h"
+#include "files/pieces.h"
 
 namespace cps {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "files/files.h"
+#include "files/pieces.h"
 
 /// POSIX ustar archives (IEEE Std 1003.1, pax, "ustar Interchange Format") of plain files. Owner, group and
 /// time are 0, so that the same files give the same bytes. Written by hand because that is all there is to

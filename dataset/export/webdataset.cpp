@@ -5,6 +5,7 @@
 #include "dataset/export/sample_columns.h"
 #include "dataset/export/tar.h"
 #include "dataset/export/targets.h"
+#include "files/files.h"
 
 /// WebDataset: tars <part>-<number>.tar, in which the files of one sample stand one after the other and share
 /// their name up to the first point; and <part>-index.json, a shard list as its `wids` reads it.
