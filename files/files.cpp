@@ -1,9 +1,6 @@
 #include "files/files.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -11,6 +8,8 @@
 #include <fstream>
 #include <random>
 #include <stdexcept>
+
+#include "files/pieces.h"
 
 namespace cps {
 namespace {
@@ -73,19 +72,7 @@ void write_by_rename(const std::filesystem::path& file,
 }
 
 void write_file(const std::filesystem::path& file, std::span<const char> bytes) {
-  write_by_rename(file, [&](const std::filesystem::path& temporary) {
-    const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    int error = descriptor < 0 ? errno : 0;
-    while (error == 0 && !bytes.empty()) {
-      const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) error = errno;
-      if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    // Renamed before its bytes are on the disk, a file could be empty under its final name after a power cut.
-    if (error == 0 && fdatasync(descriptor) != 0 && errno != EINVAL) error = errno;
-    if (descriptor >= 0 && close(descriptor) != 0 && error == 0) error = errno;
-    if (error != 0) throw std::runtime_error(std::strerror(error));
-  });
+  write_in_pieces(file, [&](const Append& append) { append(bytes); });
 }
 
 void remove_temporaries(const std::filesystem::path& folder) {
@@ -99,16 +86,9 @@ void write_json(const std::filesystem::path& file, const nlohmann::ordered_json&
 }
 
 std::string sha256(std::span<const char> bytes) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available in this build of OpenSSL");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) {
-    constexpr char digits[] = "0123456789abcdef";
-    hex += {digits[digest[i] >> 4], digits[digest[i] & 15]};
-  }
-  return hex;
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.hex();
 }
 
 }  // namespace cps

@@ -20,8 +20,8 @@ std::size_t files_in(const fs::path& folder) {
 
 TEST_CASE("wrong usage exits 2 with one line") {
   check_refused("fly", 2, "'fly' is not a verb");
-  for (const char* verb : {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet", "lens",
-                           "distort", "undistort"})
+  for (const char* verb : {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet",
+                           "export", "lens", "distort", "undistort"})
     check_refused(std::string(verb) + " --no-such-flag 3", 2, "no-such-flag");
   check_refused("verify", 2, "dataset");
   check_refused("generate --out", 2, "out");
@@ -46,8 +46,8 @@ TEST_CASE("--threads means the same in every verb: 0 for all cores, nothing belo
 
 TEST_CASE("help is printed for every verb and exits 0") {
   CHECK(run_cps("help").exit_status == 0);
-  for (const char* verb : {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet", "lens",
-                           "distort", "undistort"}) {
+  for (const char* verb : {"city", "render", "plan", "generate", "finish", "verify", "contact-sheet",
+                           "export", "lens", "distort", "undistort"}) {
     const ProgramRun run = run_cps("help " + std::string(verb));
     CHECK(run.exit_status == 0);
     CHECK_THAT(run.output, Catch::Contains("cps " + std::string(verb)));

@@ -17,7 +17,7 @@ anchors() {  # the anchors of a page's headings, as GitHub makes them
 pages=$(git ls-files '*.md')
 rooms="numbers random files distortion sensor scenes renderer sampler dataset production trainer apps"
 # shellcheck disable=SC2086
-folders="$(echo $rooms tests bench docs cmake .github | tr ' ' '|')"
+folders="$(echo $rooms tests bench docs cmake python .github | tr ' ' '|')"
 
 for page in $pages; do
   here=$(dirname "$page")

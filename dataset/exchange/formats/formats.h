@@ -48,6 +48,8 @@ CalibratedCamera read_vins(const JsonKeys& root, const std::string& name);
 
 CalibrationFile read_nerfstudio(const JsonKeys& root, const std::string& name);
 std::string write_nerfstudio(CameraSpan cameras);
+/// The keys that describe a camera, of the whole file or of one frame.
+nlohmann::ordered_json nerfstudio_camera(const CalibratedCamera& camera);
 
 /// Agisoft Metashape's <calibration>.
 CalibratedCamera read_metashape(const JsonKeys& root, const std::string& name);

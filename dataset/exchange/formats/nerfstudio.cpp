@@ -30,14 +30,6 @@ CalibratedCamera read_one(const JsonKeys& keys, const std::string& name) {
            .p2 = optional("p2")}};
 }
 
-nlohmann::ordered_json to_json(const CalibratedCamera& camera) {
-  const Pinhole& pinhole = camera.pinhole;
-  const Distortion& lens = camera.distortion;
-  return {{"fl_x", pinhole.fx}, {"fl_y", pinhole.fy},  {"cx", pinhole.cx + 0.5}, {"cy", pinhole.cy + 0.5},
-          {"w", pinhole.width}, {"h", pinhole.height}, {"k1", lens.k1},          {"k2", lens.k2},
-          {"k3", lens.k3},      {"p1", lens.p1},       {"p2", lens.p2}};
-}
-
 }  // namespace
 
 CalibrationFile read_nerfstudio(const JsonKeys& root, const std::string& name) {
@@ -58,14 +50,22 @@ CalibrationFile read_nerfstudio(const JsonKeys& root, const std::string& name) {
   return file;
 }
 
+nlohmann::ordered_json nerfstudio_camera(const CalibratedCamera& camera) {
+  const Pinhole& pinhole = camera.pinhole;
+  const Distortion& lens = camera.distortion;
+  return {{"fl_x", pinhole.fx}, {"fl_y", pinhole.fy},  {"cx", pinhole.cx + 0.5}, {"cy", pinhole.cy + 0.5},
+          {"w", pinhole.width}, {"h", pinhole.height}, {"k1", lens.k1},          {"k2", lens.k2},
+          {"k3", lens.k3},      {"p1", lens.p1},       {"p2", lens.p2}};
+}
+
 std::string write_nerfstudio(CameraSpan cameras) {
   nlohmann::ordered_json json = {{"camera_model", "OPENCV"}};
-  if (cameras.size() == 1) json.update(to_json(cameras.front()));
+  if (cameras.size() == 1) json.update(nerfstudio_camera(cameras.front()));
   json["frames"] = nlohmann::ordered_json::array();
   if (cameras.size() > 1)
     for (const CalibratedCamera& camera : cameras) {
       nlohmann::ordered_json frame = {{"file_path", camera.name}};
-      frame.update(to_json(camera));
+      frame.update(nerfstudio_camera(camera));
       json["frames"].push_back(frame);
     }
   return json.dump(2) + "\n";

@@ -1,0 +1,100 @@
+#include "dataset/export/export.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "apps/interruption.h"
+#include "apps/options.h"
+#include "apps/progress.h"
+#include "apps/verbs.h"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace cps {
+namespace {
+
+constexpr const char* manual =
+    R"(cps export: write a finished dataset in the layout that another program reads
+
+Usage: cps export DATASET --to TARGET -o FOLDER
+
+  webdataset   tars of images with their labels as JSON, for each split
+  huggingface  a folder per split with metadata.jsonl, a dataset card, croissant.json
+  colmap       a text model with images for each condition
+  nerfstudio   transforms.json with images for each condition
+  kitti        KITTI raw's folders, a calibration and its drives for each group
+
+Images are not encoded anew. Outside of tars they are hard links to those of the
+dataset where the file system allows it: then a change to one changes the other.
+Run the same command again after an interruption, and it goes on.
+)";
+
+struct ExportRequest {
+  fs::path dataset, output;
+  std::string target;
+  ExportOptions options;
+};
+
+po::options_description describe(ExportRequest& r) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("dataset", path_value(r.dataset)->required(),
+      "the dataset's folder; its name alone will do, without --dataset");
+  add("to", po::value(&r.target)->required(), "webdataset, huggingface, colmap, nerfstudio or kitti");
+  add("out,o", path_value(r.output)->required(), "folder to write: new or empty, or that of the same export");
+  add("shard_mb", po::value(&r.options.shard_mb)->default_value(r.options.shard_mb),
+      "webdataset: most millions of bytes in a tar");
+  add("copy", po::bool_switch(&r.options.copy), "copy images instead of linking them");
+  add("license", po::value(&r.options.license), "huggingface: identifier of the licence, such as cc-by-4.0");
+  add("url", po::value(&r.options.url), "huggingface: page of the dataset, for croissant.json");
+  add("creator", po::value(&r.options.creator), "huggingface: who made the dataset, for croissant.json");
+  add("published", po::value(&r.options.published), "huggingface: YYYY-MM-DD, for croissant.json");
+  return options;
+}
+
+ExportTarget target_of(const std::string& name) try {
+  return export_target_from_string(name);
+} catch (const std::runtime_error& error) {
+  throw po::error("--to " + name + ": " + error.what());
+}
+
+int run_export(const ExportRequest& request) {
+  const Watch watch = interruptible_watch();
+  const ExportSource source = read_export_source(request.dataset);
+  const std::size_t images = source.dataset().images.size();
+  Progress progress("images", 0, static_cast<std::int64_t>(images));
+  const ExportSummary summary = export_dataset(source, request.output, request.options,
+                                               [&](std::int64_t more, const std::string& current) {
+                                                 progress.advance(more, current);
+                                                 if (watch.is_stopped()) throw Interrupted();
+                                               });
+  const std::string name = request.output.string();
+  if (summary.was_finished) {
+    std::cout << name << ": is finished; nothing to do\n";
+  } else {
+    progress.finish();
+    std::cout << fmt::format("{}: {} images for {}\n", name, images, request.target);
+  }
+  if (!summary.note.empty()) std::cout << name << ": " << summary.note << "\n";
+  return 0;
+}
+
+}  // namespace
+
+int cps_export(const Arguments& arguments) {
+  ExportRequest request;
+  po::positional_options_description positional;
+  positional.add("dataset", 1);
+  po::variables_map values;
+  if (!parse_options(arguments, manual, describe(request), positional, values)) return 0;
+  po::notify(values);
+  request.options.target = target_of(request.target);
+  refuse_flags_with(request.options.fault());
+  if (!values["shard_mb"].defaulted() && request.options.target != ExportTarget::webdataset)
+    throw po::error("--shard_mb: is for --to webdataset only: leave it out");
+  return run_interruptible(request.output.string(), [&] { return run_export(request); });
+}
+
+}  // namespace cps
