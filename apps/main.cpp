@@ -29,6 +29,7 @@ const std::vector<Verb>& verbs() {
       {"verify", "check every file of a dataset against its labels", cps::cps_verify},
       {"contact-sheet", "draw views of a dataset through their lenses, in one picture",
        cps::cps_contact_sheet},
+      {"report", "describe a dataset on one HTML page", cps::cps_report},
       {"lens", "compute limits of lenses, check a calibration, draw lenses", cps::cps_lens},
       {"distort", "show ideal pictures through a lens, with labels", cps::cps_distort},
       {"undistort", "straighten pictures taken through a lens", cps::cps_undistort},

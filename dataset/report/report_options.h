@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace cps {
+
+/// How much a report shows. All of it together bounds the page: below 10 MB for any dataset.
+struct ReportOptions {
+  int thumbnails = 160;  ///< images in the contact sheets, all together
+  int columns = 4;       ///< images of one view
+  int thumbnail_width_px = 280;
+  int lenses = 500;  ///< that the lens picker offers
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
+};
+
+}  // namespace cps
