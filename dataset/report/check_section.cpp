@@ -24,8 +24,8 @@ std::string verification(const std::filesystem::path& root) {
   std::string html;
   if (kept->dataset_sha256 != description_sha256(root))
     html += verdict(false, "dataset.json has changed since it was verified; run cps verify again.");
-  html += verdict(kept->faults == 0,
-                  kept->faults == 0 ? "Verified: no faults." : grouped(kept->faults) + " faults were found.");
+  html += verdict(kept->faults == 0, kept->faults == 0 ? "Verified: no faults."
+                                                       : "Faults found: " + grouped(kept->faults) + ".");
   html += html_table(
       {"", ""},
       {{"checked by", clipped(kept->generator, 200)},
@@ -62,10 +62,11 @@ std::string rerendering(const std::filesystem::path& root) {
          fmt::format("{:.1f}", found.psnr_db), fmt::format("{:.3f}", found.correlation),
          image.fault.empty() ? "agrees" : clipped(image.fault, max_text)});
   }
-  std::string html = verdict(faults == 0, fmt::format("{} images rendered again at {} samples per pixel: {}",
-                                                      kept->images.size(), kept->samples,
-                                                      faults == 0 ? "all agree with their labels and poses."
-                                                                  : fmt::format("{} do not agree.", faults)));
+  const auto images = std::ssize(kept->images);
+  std::string html = verdict(
+      faults == 0,
+      fmt::format("{} of {} images rendered again at {} samples per pixel agree with their labels and poses.",
+                  images - faults, images, kept->samples));
   html += fmt::format("<p>Allowed: {:g} px of shift beyond its noise, {:g} px rms of the blocks.</p>\n",
                       kept->max_shift_px, kept->max_block_rms_px);
   return html +

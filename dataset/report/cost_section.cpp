@@ -55,10 +55,10 @@ std::string ledger(const std::filesystem::path& root) {
                       times.is_interrupted ? "interrupted" : ""});
   }
   std::string html = fmt::format(
-      "<p>{} of CPU time in {} runs ({} on the clock, one after the other) for {} images: {:.3g} images per "
-      "core-hour. Runs that ended with an error are not counted.</p>\n",
-      hours(sum.cpu_s), entries.size(), hours(sum.wall_s), grouped(sum.images),
-      sum.cpu_s > 0 ? 3600 * static_cast<double>(sum.images) / sum.cpu_s : 0.0);
+      "<p>{} of CPU time ({} on the clock, one run after the other) for {} images: {:.3g} images per "
+      "core-hour. Runs: {}; any that ended with an error are not counted.</p>\n",
+      hours(sum.cpu_s), hours(sum.wall_s), grouped(sum.images),
+      sum.cpu_s > 0 ? 3600 * static_cast<double>(sum.images) / sum.cpu_s : 0.0, entries.size());
   html += stages(sum) + "<h3>Runs</h3>\n";
   if (entries.size() > max_runs)
     html += fmt::format("<p>The first {} of {}.</p>\n", max_runs, entries.size());

@@ -26,7 +26,7 @@ TEST_CASE("report writes a page that knows what generate and verify did, and cha
   const std::string html = read_file(page);
   CHECK_THAT(html, Catch::Contains("<b>30</b>images") && Catch::Contains("Verified: no faults.") &&
                        Catch::Contains("compared with the recipe's plan, made again") &&
-                       Catch::Contains("in 2 runs") && Catch::Contains("<tr><td>0/2<td>") &&
+                       Catch::Contains("Runs: 2;") && Catch::Contains("<tr><td>0/2<td>") &&
                        Catch::Contains("<tr><td>0/1<td>"));
   // The default is a file in the dataset, with the same bytes.
   REQUIRE(run_cps("report " + out.string()).exit_status == 0);

@@ -120,11 +120,11 @@ TEST_CASE("a report tells what verify found, and whether the dataset has changed
                  .images = {{.file = "a.png", .registration = {.shift_x_px = 0.3, .shift_y_px = 0.4}},
                             {.file = "b.png", .registration = {.psnr_db = INFINITY}, .fault = "lies off"}}});
   write_file(root / "dataset.json", read_file(root / "dataset.json") + "\n");
-  CHECK_THAT(report_page(root),
-             Catch::Contains("1 faults were found.") && Catch::Contains("front/000001.png: is missing") &&
-                 Catch::Contains("has changed since it was verified") &&
-                 Catch::Contains("2 images rendered again at 64 samples per pixel: 1 do not agree.") &&
-                 Catch::Contains("<td>0.500 ± 0.000") && Catch::Contains("<td>lies off"));
+  CHECK_THAT(report_page(root), Catch::Contains("Faults found: 1.") &&
+                                    Catch::Contains("front/000001.png: is missing") &&
+                                    Catch::Contains("has changed since it was verified") &&
+                                    Catch::Contains("1 of 2 images rendered again at 64 samples") &&
+                                    Catch::Contains("<td>0.500 ± 0.000") && Catch::Contains("<td>lies off"));
 }
 
 TEST_CASE("a set that cps relens made has a report without places, light and recipe") {
