@@ -26,12 +26,13 @@ std::string set_of(const Dataset& dataset, const SheetRow& row) {
 
 /// The rows that the options allow: as many of each set, and, where not even one of each fits, of some sets.
 std::vector<SheetRow> chosen_rows(const Dataset& dataset, const ReportOptions& options) {
-  const auto max_rows = static_cast<std::size_t>(options.thumbnails / options.columns);
-  std::vector<SheetRow> first = choose_sheet_rows(dataset, 1, options.columns);  // a row per set
-  if (max_rows == 0 || first.empty()) return {};
+  if (options.thumbnails == 0 || dataset.images.empty()) return {};
+  const int columns = std::min(options.columns, options.thumbnails);
+  const auto max_rows = static_cast<std::size_t>(options.thumbnails / columns);
+  std::vector<SheetRow> first = choose_sheet_rows(dataset, 1, columns);  // a row per set
   if (first.size() <= max_rows)
     return choose_sheet_rows(dataset, static_cast<int>(std::min(max_rows / first.size(), max_rows_per_set)),
-                             options.columns);
+                             columns);
   std::vector<SheetRow> some;
   for (std::size_t i = 0; i < max_rows; ++i) some.push_back(std::move(first[i * first.size() / max_rows]));
   return some;

@@ -93,6 +93,7 @@ TEST_CASE("options bound what a report shows") {
   CHECK(count_of(few, "{\"folder\":") == 3);
   // Fewer rows than sets: of some sets.
   CHECK(count_of(report_page(temporary.path, {.thumbnails = 2, .columns = 2}), "<h3>64x36_hfov") == 1);
+  CHECK(count_of(report_page(temporary.path, {.thumbnails = 1}), "<img") == 1);
   CHECK(count_of(report_page(temporary.path, {.thumbnails = 0}), "<img") == 0);
 
   CHECK(ReportOptions{}.fault() == "");
