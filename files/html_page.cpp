@@ -8,7 +8,7 @@ namespace {
 /// The rules on svg undo colours that plot.cpp writes as attributes, which any rule of CSS overrides.
 constexpr const char* common_style = R"css(
 :root{color-scheme:light dark;--page:#fff;--card:#f6f7f9;--text:#1c2126;--faint:#5b6570;--line:#d5dae0;--accent:#0b66b2;
---good:#116b34;--bad:#b3261e;--blue:#0072b2;--orange:#d55e00;--green:#009e73;--pink:#cc79a7;--yellow:#e69f00;--sky:#56b4e9}
+--good:#116b34;--bad:#b3261e;--blue:#0072b2;--orange:#d55e00;--green:#009e73;--pink:#cc79a7}
 @media(prefers-color-scheme:dark){:root{--page:#14171b;--card:#1c2127;--text:#e4e8ec;--faint:#9aa5b1;--line:#353d47;
 --accent:#6cb6ff;--good:#6fd08c;--bad:#ff8a80;--blue:#4aa8e8;--orange:#f08a3c;--green:#2fc698;--pink:#dd93ba}}
 *{box-sizing:border-box}
