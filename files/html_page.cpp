@@ -1,5 +1,7 @@
 #include "files/html_page.h"
 
+#include <algorithm>
+
 #include "files/markup.h"
 
 namespace cps {
@@ -46,7 +48,9 @@ std::string html_page(const std::string& title, const std::string& body, const s
 std::string html_table(const std::vector<std::string>& header,
                        const std::vector<std::vector<std::string>>& rows) {
   if (rows.empty()) return "";
-  std::string table = "<div class=\"scroll\"><table>\n" + row_of("th", header);
+  std::string table = "<div class=\"scroll\"><table>\n";
+  if (std::ranges::any_of(header, [](const std::string& text) { return !text.empty(); }))
+    table += row_of("th", header);
   for (const std::vector<std::string>& row : rows) table += row_of("td", row);
   return table + "</table></div>\n";
 }

@@ -12,7 +12,7 @@ namespace cps {
 std::string html_page(const std::string& title, const std::string& body, const std::string& style = "");
 
 /// A table that scrolls sideways where it is wider than the page. Header and cells are markup; every row has
-/// as many cells as the header. Without rows: nothing.
+/// as many cells as the header, which is left out if all its texts are empty. Without rows: nothing.
 std::string html_table(const std::vector<std::string>& header,
                        const std::vector<std::vector<std::string>>& rows);
 

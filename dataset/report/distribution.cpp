@@ -10,7 +10,7 @@
 namespace cps {
 namespace {
 
-constexpr int bins = 32;
+constexpr int bins = 24;
 constexpr std::size_t limits_colour = 6;  // black: in no part's colour
 
 /// Covers all values and the limits. Not empty.
@@ -85,7 +85,7 @@ Plot distribution_plot(const Distribution& distribution) {
     plot.series.push_back(shares(distribution, part, range));
     for (const Eigen::Vector2d& point : plot.series.back().points) top = std::max(top, point.y());
   }
-  plot.y_range = Interval{0, 1.05 * top};
+  plot.y_range = Interval{0, 1.3 * top};  // room for the legend
   if (distribution.limits) plot.series.push_back(limit_lines(*distribution.limits, plot.y_range->high));
   return plot;
 }

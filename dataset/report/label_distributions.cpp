@@ -78,16 +78,19 @@ constexpr LabelNumber numbers[] = {
      }},
 };
 
-/// From the lowest to the highest limit in the labels of `key`.
+/// From the lowest to the highest limit in the labels of `key`. Empty unless every lens names some: others
+/// are drawn by a prior, beyond those intervals.
 std::optional<Interval> drawn_limits(const Dataset& dataset, const std::string& key) {
   const auto k = std::ranges::find(lens_keys, key) - lens_keys.begin();
   std::optional<Interval> limits;
   if (k == static_cast<std::ptrdiff_t>(lens_keys.size())) return limits;
-  for (const DatasetGroup& group : dataset.groups)
-    if (const auto& own = group.label.limits[k]) {
-      if (!limits) limits = own;
-      limits = Interval{std::min(limits->low, own->low), std::max(limits->high, own->high)};
-    }
+  for (const DatasetGroup& group : dataset.groups) {
+    if (is_undistorted(group.label)) continue;
+    const auto& own = group.label.limits[k];
+    if (!own) return std::nullopt;
+    if (!limits) limits = own;
+    limits = Interval{std::min(limits->low, own->low), std::max(limits->high, own->high)};
+  }
   return limits;
 }
 

@@ -94,8 +94,9 @@ std::string light_section(const DatasetSurvey& survey) {
   const std::string table =
       weather_table(weathers, light, static_cast<std::int64_t>(conditions.size()), images);
   const Plot plot = sun_plot(weathers, light);
-  return "<section id=\"light\"><h2>Light and weather</h2>\n" + table + "<figure>" +
-         to_svg({&plot, 1}, 1, {.clip = "suns"}) + "</figure>\n" + condition_table(survey) + "</section>\n";
+  return "<section id=\"light\"><h2>Light and weather</h2>\n" + table + "<div class=\"diagrams\"><figure>" +
+         to_svg({&plot, 1}, 1, {.clip = "suns"}) + "</figure></div>\n" + condition_table(survey) +
+         "</section>\n";
 }
 
 }  // namespace cps

@@ -21,6 +21,7 @@ nav{display:flex;flex-wrap:wrap;gap:.3em 1.2em;padding:.6em 0;border-bottom:1px 
 .diagrams{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,22em),1fr));gap:1em}
 .maps{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,32em),1fr));gap:1em}
 .diagrams figure,.maps figure{margin:0}.diagrams svg,.maps svg{width:100%}
+.diagrams [stroke-linecap],.maps [stroke-linecap]{stroke-width:4.5;stroke-opacity:.8}
 .picker{display:grid;gap:1em;grid-template-columns:minmax(0,1fr)}.picker>p{margin:0;max-width:none}
 .picker select{max-width:100%;font:inherit}.picker button{font:inherit;min-width:2.6em}
 @media(min-width:900px){.picker{grid-template-columns:minmax(0,3fr) minmax(0,2fr)}.picker>p{grid-column:1/-1}}

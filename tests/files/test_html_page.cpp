@@ -30,5 +30,7 @@ TEST_CASE("text in a page cannot become markup") {
 TEST_CASE("a table has a cell per text, and without rows there is none") {
   CHECK(html_table({"a", "b"}, {{"1", "2"}, {"3", "4"}}) ==
         "<div class=\"scroll\"><table>\n<tr><th>a<th>b\n<tr><td>1<td>2\n<tr><td>3<td>4\n</table></div>\n");
+  CHECK(html_table({"", ""}, {{"1", "2"}}) ==
+        "<div class=\"scroll\"><table>\n<tr><td>1<td>2\n</table></div>\n");
   CHECK(html_table({"a"}, {}).empty());
 }
