@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/report/text.h"
 #include "files/markup.h"
 
 namespace cps {
@@ -40,11 +41,11 @@ PlotSeries limit_lines(Interval limits, double top) {
 
 std::string caption(const Distribution& distribution, const DistributionSummary& summary) {
   std::string text =
-      fmt::format("{} images: {:.6g} … {:.6g}, mean {:.6g}, standard deviation {:.4g}", summary.count,
-                  summary.min, summary.max, summary.mean, summary.standard_deviation);
+      fmt::format("{} images: {:.6g} … {:.6g}, mean {:.6g}, standard deviation {:.4g}",
+                  grouped(summary.count), summary.min, summary.max, summary.mean, summary.standard_deviation);
   if (distribution.limits)
     text += fmt::format("; limits {:.6g} … {:.6g}", distribution.limits->low, distribution.limits->high);
-  if (summary.outside > 0) text += fmt::format("; {} outside", summary.outside);
+  if (summary.outside > 0) text += "; " + grouped(summary.outside) + " outside";
   if (!distribution.note.empty()) text += ". " + distribution.note;
   return text;
 }

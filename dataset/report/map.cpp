@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/report/text.h"
 #include "files/markup.h"
 
 namespace cps {
@@ -77,9 +78,9 @@ std::string maps_html(const FrameSurvey& frames) {
     const PlotFrame frame{.width = 620, .height = 620, .clip = fmt::format("map{}", i)};
     const Plot map = place_map(name, places, max_places_shown, frame);
     const std::string shown =
-        places.size() > max_places_shown ? fmt::format(", {} of them shown", max_places_shown) : "";
+        places.size() > max_places_shown ? ", " + grouped(max_places_shown) + " of them shown" : "";
     html += fmt::format("<figure>{}<figcaption>{}: {} places{}</figcaption></figure>\n",
-                        to_svg({&map, 1}, 1, frame), escaped(name), places.size(), shown);
+                        to_svg({&map, 1}, 1, frame), escaped(name), grouped(std::ssize(places)), shown);
   }
   return html + "</div>\n";
 }
