@@ -33,7 +33,9 @@ int cps_report(const Arguments& arguments) {
       "the dataset's folder; its name alone will do, without --dataset");
   add("out,o", po::value<std::string>(), "the .html file to write [report.html in the dataset's folder]");
   add("thumbnails", po::value(&report.thumbnails)->default_value(report.thumbnails),
-      "number of images in the contact sheets, all together, 0 to 400");
+      "largest number of images in the contact sheets, all together, 0 to 400");
+  add("rows", po::value(&report.rows_per_set)->default_value(report.rows_per_set),
+      "number of views from each set of one size and H-FOV, as far as the thumbnails reach");
   add("columns", po::value(&report.columns)->default_value(report.columns),
       "largest number of images per view, 1 to 20");
   add("thumbnail-width", po::value(&report.thumbnail_width_px)->default_value(report.thumbnail_width_px),

@@ -16,7 +16,6 @@
 namespace cps {
 namespace {
 
-constexpr std::size_t max_rows_per_set = 3;
 constexpr std::size_t max_thumbnail_bytes = 24'000, max_bytes = 3'600'000;
 
 /// The folder of a row's set.
@@ -30,9 +29,10 @@ std::vector<SheetRow> chosen_rows(const Dataset& dataset, const ReportOptions& o
   const int columns = std::min(options.columns, options.thumbnails);
   const auto max_rows = static_cast<std::size_t>(options.thumbnails / columns);
   std::vector<SheetRow> first = choose_sheet_rows(dataset, 1, columns);  // a row per set
-  if (first.size() <= max_rows)
-    return choose_sheet_rows(dataset, static_cast<int>(std::min(max_rows / first.size(), max_rows_per_set)),
-                             columns);
+  if (first.size() <= max_rows) {
+    const auto rows = std::min(max_rows / first.size(), static_cast<std::size_t>(options.rows_per_set));
+    return choose_sheet_rows(dataset, static_cast<int>(rows), columns);
+  }
   std::vector<SheetRow> some;
   for (std::size_t i = 0; i < max_rows; ++i) some.push_back(std::move(first[i * first.size() / max_rows]));
   return some;

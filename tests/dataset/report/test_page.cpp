@@ -91,6 +91,7 @@ TEST_CASE("options bound what a report shows") {
   CHECK(count_of(few, "<img") == 4);  // two rows of two
   CHECK(count_of(few, "<option ") == 3);
   CHECK(count_of(few, "{\"folder\":") == 3);
+  CHECK(count_of(report_page(temporary.path, {.rows_per_set = 5, .columns = 1}), "<img") == 10);
   // Fewer rows than sets: of some sets.
   CHECK(count_of(report_page(temporary.path, {.thumbnails = 2, .columns = 2}), "<h3>64x36_hfov") == 1);
   CHECK(count_of(report_page(temporary.path, {.thumbnails = 1}), "<img") == 1);
@@ -98,6 +99,7 @@ TEST_CASE("options bound what a report shows") {
 
   CHECK(ReportOptions{}.fault() == "");
   CHECK(ReportOptions{.thumbnails = 401}.fault() == "thumbnails: must lie in [0, 400]");
+  CHECK(ReportOptions{.rows_per_set = 0}.fault() == "rows: must lie in [1, 100]");
   CHECK(ReportOptions{.columns = 0}.fault() == "columns: must lie in [1, 20]");
   CHECK(ReportOptions{.thumbnail_width_px = 8}.fault() == "thumbnail-width: must lie in [32, 640]");
   CHECK(ReportOptions{.lenses = 0}.fault() == "lenses: must lie in [1, 2000]");
