@@ -30,6 +30,7 @@ const std::vector<Verb>& verbs() {
       {"contact-sheet", "draw views of a dataset through their lenses, in one picture",
        cps::cps_contact_sheet},
       {"export", "write a dataset in the layout that another program reads", cps::cps_export},
+      {"report", "describe a dataset on one HTML page", cps::cps_report},
       {"lens", "compute limits of lenses, check a calibration, draw lenses", cps::cps_lens},
       {"distort", "show ideal pictures through a lens, with labels", cps::cps_distort},
       {"undistort", "straighten pictures taken through a lens", cps::cps_undistort},

@@ -18,6 +18,7 @@ int cps_finish(const Arguments& arguments);
 int cps_verify(const Arguments& arguments);
 int cps_contact_sheet(const Arguments& arguments);
 int cps_export(const Arguments& arguments);
+int cps_report(const Arguments& arguments);
 int cps_lens(const Arguments& arguments);
 int cps_distort(const Arguments& arguments);
 int cps_undistort(const Arguments& arguments);

@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <stdexcept>
 
+#include "dataset/pixels/thumbnail.h"
+#include "dataset/sheet_rows.h"
 #include "numbers/angles.h"
 
 namespace cps {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int gap_px = 6;
 
@@ -22,28 +20,6 @@ struct Captions {
   explicit Captions(int tile_width_px)
       : text_px(std::clamp(tile_width_px / 33, 6, 24)), line_px(text_px + 3), height_px(3 * line_px + 4) {}
 };
-
-/// The images of one view, the undistorted one first.
-using Row = std::vector<const DatasetImage*>;
-
-/// The rows to show: views evenly spread over the indices of each set.
-std::vector<Row> choose_rows(const Dataset& dataset, const ContactSheetOptions& options) {
-  std::map<fs::path, std::map<fs::path, Row>> views_of_set;
-  for (const DatasetImage& image : dataset.images)
-    views_of_set[image.file.parent_path().parent_path()][image.file.filename()].push_back(&image);
-  std::vector<Row> chosen;
-  for (auto& [set, views] : views_of_set) {
-    const auto count = std::min<std::size_t>(options.rows_per_set, views.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      auto view = std::next(views.begin(), static_cast<std::ptrdiff_t>(i * views.size() / count));
-      Row row = view->second;
-      std::sort(row.begin(), row.end(), [](const auto* a, const auto* b) { return a->file < b->file; });
-      row.resize(std::min<std::size_t>(row.size(), options.columns));
-      chosen.push_back(std::move(row));
-    }
-  }
-  return chosen;
-}
 
 int tile_height_px(const Label& label, int tile_width_px) {
   return std::max(1, tile_width_px * label.camera.height / label.camera.width);
@@ -74,14 +50,14 @@ std::string ContactSheetOptions::fault() const {
 }
 
 OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& options) {
-  const std::vector<Row> rows = choose_rows(dataset, options);
+  const std::vector<SheetRow> rows = choose_sheet_rows(dataset, options.rows_per_set, options.columns);
   const auto label_of = [&](const DatasetImage& image) -> const Label& {
     return dataset.groups[image.group].label;
   };
   const Captions captions(options.tile_width_px);
   int height = gap_px;
   std::size_t columns = 1;
-  for (const Row& row : rows) {
+  for (const SheetRow& row : rows) {
     height += tile_height_px(label_of(*row.front()), options.tile_width_px) + captions.height_px + gap_px;
     columns = std::max(columns, row.size());
   }
@@ -89,18 +65,12 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
   OIIO::ImageBuf sheet(OIIO::ImageSpec(width, height, 3, OIIO::TypeDesc::UINT8));
   OIIO::ImageBufAlgo::fill(sheet, {0.09f, 0.09f, 0.1f});
   int y = gap_px;
-  for (const Row& row : rows) {
+  for (const SheetRow& row : rows) {
     int x = gap_px;
     const int tile_height = tile_height_px(label_of(*row.front()), options.tile_width_px);
     for (const DatasetImage* image : row) {
-      OIIO::ImageBuf full((dataset.root / image->file).string());
-      if (full.nchannels() == 1) full = OIIO::ImageBufAlgo::channels(full, 3, {0, 0, 0});
-      const OIIO::ROI tile(0, options.tile_width_px, 0, tile_height, 0, 1, 0, 3);
-      const OIIO::ImageBuf small = OIIO::ImageBufAlgo::resize(full, "", 0, tile);
-      if (full.has_error() || small.has_error())
-        throw std::runtime_error((dataset.root / image->file).string() +
-                                 ": cannot be read: " + full.geterror());
-      OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0, small);
+      OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0,
+                                thumbnail(dataset.root / image->file, {options.tile_width_px, tile_height}));
       draw_caption(sheet, x, y + tile_height, captions, *image, label_of(*image));
       x += options.tile_width_px + gap_px;
     }

@@ -14,6 +14,9 @@ std::string escaped(std::string_view text) {
       case '>':
         markup += "&gt;";
         break;
+      case '"':
+        markup += "&quot;";
+        break;
       default:
         markup += c;
     }

@@ -5,7 +5,8 @@
 
 namespace cps {
 
-/// `text` with &, < and > replaced by their entities, for the text between tags of HTML and XML.
+/// `text` with &, <, > and " replaced by their entities: for HTML and XML, between tags and in attributes in
+/// double quotes.
 std::string escaped(std::string_view text);
 
 }  // namespace cps

@@ -11,8 +11,7 @@
 namespace cps {
 namespace {
 
-constexpr int width = 420, height = 300;                     ///< of one diagram, in SVG user units
-constexpr int left = 62, right = 14, top = 30, bottom = 44;  ///< its margins
+constexpr int left = 62, right = 14, top = 30, bottom = 44;  ///< margins of a diagram, in SVG user units
 constexpr std::array colours = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7",
     "#e69f00", "#56b4e9", "#000000"};  ///< distinct for colour-blind readers too (Okabe and Ito 2008)
@@ -32,11 +31,12 @@ Interval range_of(const Plot& plot, int axis) {
 /// Maps a diagram's values to positions on the page.
 struct Axes {
   Interval x, y;
-  double page_x(double value) const {
-    return left + (value - x.low) / (x.high - x.low) * (width - left - right);
-  }
+  const PlotFrame& page;
+  int width() const { return page.width - left - right; }  ///< inside the margins
+  int height() const { return page.height - top - bottom; }
+  double page_x(double value) const { return left + (value - x.low) / (x.high - x.low) * width(); }
   double page_y(double value) const {
-    return height - bottom - (value - y.low) / (y.high - y.low) * (height - top - bottom);
+    return page.height - bottom - (value - y.low) / (y.high - y.low) * height();
   }
   bool shows(const Eigen::Vector2d& p) const {
     return p.x() >= x.low && p.x() <= x.high && p.y() >= y.low && p.y() <= y.high;
@@ -52,22 +52,22 @@ std::string text(double x, double y, const char* anchor, const std::string& what
 std::string frame(const Plot& plot, const Axes& axes) {
   std::string svg, grid;
   for (double tick : round_ticks(axes.x, 6)) {
-    grid += fmt::format("M{:.1f} {}V{}", axes.page_x(tick), top, height - bottom);
-    svg += text(axes.page_x(tick), height - bottom + 15, "middle", fmt::format("{:g}", tick));
+    grid += fmt::format("M{:.1f} {}V{}", axes.page_x(tick), top, top + axes.height());
+    svg += text(axes.page_x(tick), top + axes.height() + 15, "middle", fmt::format("{:g}", tick));
   }
   for (double tick : round_ticks(axes.y, 6)) {
-    grid += fmt::format("M{} {:.1f}H{}", left, axes.page_y(tick), width - right);
+    grid += fmt::format("M{} {:.1f}H{}", left, axes.page_y(tick), left + axes.width());
     svg += text(left - 5, axes.page_y(tick) + 4, "end", fmt::format("{:g}", tick));
   }
-  const double middle_x = 0.5 * (left + width - right), middle_y = 0.5 * (top + height - bottom);
-  svg += text(middle_x, height - 8, "middle", plot.x_label);
+  const double middle_x = left + 0.5 * axes.width(), middle_y = top + 0.5 * axes.height();
+  svg += text(middle_x, axes.page.height - 8, "middle", plot.x_label);
   svg += text(0, 0, "middle", plot.y_label,
               fmt::format(" transform=\"translate(14 {:.1f}) rotate(-90)\"", middle_y));
   svg += text(middle_x, 18, "middle", plot.title, " font-weight=\"bold\"");
   return fmt::format(
              "<path d=\"{}\" stroke=\"#ddd\"/>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
              "fill=\"none\" stroke=\"#888\"/>\n",
-             grid, left, top, width - left - right, height - top - bottom) +
+             grid, left, top, axes.width(), axes.height()) +
          svg;
 }
 
@@ -92,20 +92,20 @@ std::string curve(const PlotSeries& series, const Axes& axes, const char* colour
         path, colour);
   return fmt::format(
       "<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\" "
-      "clip-path=\"url(#frame)\"/>\n",
-      path, colour);
+      "clip-path=\"url(#{})\"/>\n",
+      path, colour, axes.page.clip);
 }
 
-std::string diagram(const Plot& plot) {
-  const Axes axes{range_of(plot, 0), range_of(plot, 1)};
+std::string diagram(const Plot& plot, const PlotFrame& page) {
+  const Axes axes{range_of(plot, 0), range_of(plot, 1), page};
   std::string svg = frame(plot, axes);
   double legend_y = top + 15;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const char* colour = colours[i % colours.size()];
+    const char* colour = colours[plot.series[i].colour.value_or(i) % colours.size()];
     svg += curve(plot.series[i], axes, colour);
     if (plot.series[i].name.empty()) continue;
     svg +=
-        text(width - right - 6, legend_y, "end", plot.series[i].name,
+        text(left + axes.width() - 6, legend_y, "end", plot.series[i].name,
              fmt::format(" fill=\"{}\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"", colour));
     legend_y += 15;
   }
@@ -141,18 +141,33 @@ std::vector<double> round_ticks(Interval range, int count) {
   return ticks;
 }
 
-std::string to_svg(std::span<const Plot> plots, int columns) {
+void make_scales_equal(Plot& plot, const PlotFrame& frame) {
+  Interval x = range_of(plot, 0), y = range_of(plot, 1);
+  const Axes axes{x, y, frame};
+  const double unit = std::max((x.high - x.low) / axes.width(), (y.high - y.low) / axes.height());
+  const auto widen = [](Interval& range, double length) {
+    const double middle = 0.5 * (range.low + range.high);
+    range = {middle - 0.5 * length, middle + 0.5 * length};
+  };
+  widen(x, unit * axes.width());
+  widen(y, unit * axes.height());
+  plot.x_range = x;
+  plot.y_range = y;
+}
+
+std::string to_svg(std::span<const Plot> plots, int columns, const PlotFrame& frame) {
   const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
-  const int page_width = width * std::min(columns, static_cast<int>(plots.size()));
+  const int page_width = frame.width * std::min(columns, static_cast<int>(plots.size()));
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-      "font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"frame\"><rect x=\"{2}\" y=\"{3}\" "
+      "font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"{6}\"><rect x=\"{2}\" y=\"{3}\" "
       "width=\"{4}\" height=\"{5}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-      page_width, height * rows, left, top, width - left - right, height - top - bottom);
+      page_width, frame.height * rows, left, top, frame.width - left - right, frame.height - top - bottom,
+      frame.clip);
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    svg += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", column * width, row * height,
-                       diagram(plots[i]));
+    svg += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", column * frame.width,
+                       row * frame.height, diagram(plots[i], frame));
   }
   return svg + "</svg>\n";
 }

@@ -18,6 +18,7 @@ struct PlotSeries {
   std::string name = {};  ///< shown in the legend unless empty
   PlotStyle style = PlotStyle::line;
   std::vector<Eigen::Vector2d> points = {};  ///< a point that is not finite interrupts the line
+  std::optional<std::size_t> colour = {};  ///< place in the palette of seven; without it, the series' number
 };
 
 /// One diagram. Without a range, the axis covers the points.
@@ -25,6 +26,13 @@ struct Plot {
   std::string title, x_label, y_label;
   std::vector<PlotSeries> series = {};
   std::optional<Interval> x_range = {}, y_range = {};
+};
+
+/// The size of each diagram in SVG user units, and the name of its clip path, which must differ between the
+/// SVGs of one HTML page.
+struct PlotFrame {
+  int width = 420, height = 300;
+  std::string clip = "frame";
 };
 
 /// The outline of a histogram: the density of the values in `bins` equal bins on `range`, so that its area is
@@ -35,7 +43,10 @@ PlotSeries histogram(const std::string& name, std::span<const double> values, In
 /// least one (Heckbert 1990). Needs range.low < range.high.
 std::vector<double> round_ticks(Interval range, int count);
 
+/// Sets both ranges such that all points are shown and a unit is equally long on both axes: for maps.
+void make_scales_equal(Plot& plot, const PlotFrame& frame);
+
 /// An SVG document with the diagrams in rows of `columns`. The same diagrams give the same bytes.
-std::string to_svg(std::span<const Plot> plots, int columns);
+std::string to_svg(std::span<const Plot> plots, int columns, const PlotFrame& frame = {});
 
 }  // namespace cps

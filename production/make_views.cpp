@@ -130,7 +130,6 @@ class ViewLine {
 }  // namespace
 
 std::string MakeViewsSummary::brief() const {
-  const double post_s = cpu.warp_s + cpu.develop_s + cpu.encode_s + cpu.write_s;
   const auto share = [&](double seconds) { return cpu_s > 0 ? 100 * seconds / cpu_s : 0.0; };
   return fmt::format(
       "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %, warp {:.1f} %, "
@@ -138,7 +137,7 @@ std::string MakeViewsSummary::brief() const {
       "busy",
       views, images, wall_s, wall_s > 0 ? static_cast<double>(images) / wall_s : 0.0, cpu_s,
       share(cpu.render_s), share(cpu.warp_s), share(cpu.develop_s), share(cpu.encode_s), share(cpu.write_s),
-      share(cpu_s - cpu.render_s - post_s), threads, wall_s > 0 ? 100 * cpu_s / (wall_s * threads) : 0.0);
+      share(cpu_s - cpu.sum_s()), threads, wall_s > 0 ? 100 * cpu_s / (wall_s * threads) : 0.0);
 }
 
 int views_in_flight(int threads) {

@@ -5,23 +5,15 @@
 #include <vector>
 
 #include "dataset/job/journal.h"
+#include "dataset/job/ledger.h"
 #include "production/frame_exposure.h"
 #include "production/watch.h"
 #include "sampler/plan/plan.h"
 
 namespace cps {
 
-/// CPU seconds of each stage, all threads together.
-struct StageTimes {
-  double render_s = 0, warp_s = 0, develop_s = 0, encode_s = 0, write_s = 0;
-};
-
-struct MakeViewsSummary {
-  std::int64_t views = 0, images = 0;
-  bool is_interrupted = false;  ///< stopped by its watch before all views were made
-  int threads = 1;
-  double wall_s = 0, cpu_s = 0;  ///< of everything, loading scenes as well
-  StageTimes cpu;
+/// What a run made, and a line about it for the user.
+struct MakeViewsSummary : RunTimes {
   BadlyExposed badly_exposed;
   std::string brief() const;
 };

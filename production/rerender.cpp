@@ -105,25 +105,4 @@ std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const P
   return images;
 }
 
-void write_report(const std::filesystem::path& root, const RerenderOptions& options,
-                  const std::vector<RerenderedImage>& images) {
-  nlohmann::ordered_json list = nlohmann::json::array();
-  for (const RerenderedImage& image : images) {
-    const Registration& found = image.registration;
-    list.push_back({{"file", image.file},
-                    {"shift_px", {found.shift_x_px, found.shift_y_px}},
-                    {"shift_noise_px", found.shift_noise_px},
-                    {"blocks", found.blocks},
-                    {"block_rms_px", found.block_rms_px},
-                    {"worst_block_px", found.worst_block_px},
-                    {"correlation", found.correlation},
-                    {"psnr_db", found.psnr_db},
-                    {"fault", image.fault}});
-  }
-  write_json(root / ".cps" / "rerender.json", {{"samples", options.samples},
-                                               {"most_shift_px", options.max_shift_px},
-                                               {"most_block_rms_px", options.max_block_rms_px},
-                                               {"images", list}});
-}
-
 }  // namespace cps

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/verify/registration.h"
+#include "dataset/verify/kept_results.h"
 #include "production/watch.h"
 #include "sampler/plan/plan.h"
 
@@ -19,21 +19,11 @@ struct RerenderOptions {
   double min_correlation = 0.5;   ///< below it the two show different views, and their shifts mean nothing
 };
 
-struct RerenderedImage {
-  std::string file;
-  Registration registration;
-  std::string fault;  ///< empty: agrees
-};
-
 /// Renders randomly chosen images again and registers each with the stored one. Camera and lens are those of
 /// calibration.json, the poses of car and camera those of frames.csv, and the lens bends each ray: no master,
 /// no crop, no warp. An image that agrees proves its label and its pose. Of the plan only scene, light and
 /// the renderer's settings are used. Throws std::runtime_error with one line.
 std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const Plan& plan,
                                       const RerenderOptions& options, const Watch& watch);
-
-/// Writes the comparison to `.cps/rerender.json` in the dataset.
-void write_report(const std::filesystem::path& root, const RerenderOptions& options,
-                  const std::vector<RerenderedImage>& images);
 
 }  // namespace cps

@@ -34,9 +34,16 @@ Shard shard_from(const po::variables_map& values) {
   }
 }
 
+/// Keeps a run's times for cps report. Without them the dataset is no less complete.
+void enter(const fs::path& root, const Shard& shard, const RunTimes& times) try {
+  enter_in_ledger(root, shard, times);
+} catch (const std::exception& error) {
+  std::cout << error.what() << ": cps report will not know of this run's time\n";
+}
+
 /// Makes the remaining views of a shard. Throws Interrupted when a signal came before all were made.
-void make_remaining(const Plan& plan, const RemainingViews& remaining, Journal& journal, const fs::path& root,
-                    int threads, Watch watch) {
+void make_remaining(const Plan& plan, const RemainingViews& remaining, const Shard& shard, Journal& journal,
+                    const fs::path& root, int threads, Watch watch) {
   write_labels(plan, remaining.views, root);
   Progress progress("images", remaining.made_images, remaining.shard_images);
   watch.advance = [&](std::int64_t images, const std::string& view) { progress.advance(images, view); };
@@ -44,6 +51,7 @@ void make_remaining(const Plan& plan, const RemainingViews& remaining, Journal& 
   progress.finish();
   std::cout << summary.brief() << "\n";
   for (const std::string& warning : summary.badly_exposed.warnings()) watch.warned(warning);
+  enter(root, shard, summary);
   if (summary.is_interrupted) throw Interrupted();
 }
 
@@ -73,7 +81,7 @@ int generate(const po::variables_map& values, int threads) {
   const RemainingViews remaining = remaining_views(plan, shard, root, watch);
   const std::string share = shard.count > 1 ? "shard " + to_string(shard) + ": " : "";
   std::cout << share << remaining.views.size() << " views to make" << std::endl;
-  if (!remaining.views.empty()) make_remaining(plan, remaining, journal, root, threads, watch);
+  if (!remaining.views.empty()) make_remaining(plan, remaining, shard, journal, root, threads, watch);
 
   if (shard.count > 1) {
     std::cout << share << "made; when all are: cps finish " << name << "\n";

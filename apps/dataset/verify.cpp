@@ -23,8 +23,8 @@ constexpr const char* usage = R"(cps verify DATASET [--rerender N]
 Checks every file of a finished dataset against its labels, and every label against itself. If the job's file
 and its scenes are there, plans the dataset again and compares labels, lists and poses with that plan.
 With --rerender N renders N randomly chosen images again through the lens of their label, ray by ray, and
-compares them with the stored ones; the figures go to .cps/rerender.json. Exit status: 1 when something is
-wrong.
+compares them with the stored ones. The results are kept in .cps/verify.json and .cps/rerender.json for cps
+report. Exit status: 1 when something is wrong.
 )";
 
 /// One line about all images rendered again.
@@ -41,9 +41,14 @@ std::string brief(const std::vector<RerenderedImage>& images) {
       images.size(), shift, blocks, min_db);
 }
 
-/// What planning the dataset and rendering images again finds wrong.
-std::vector<std::string> faults_by_making_again(const fs::path& root, const RerenderOptions& options) {
-  const auto skip = [&](const std::string& why) -> std::vector<std::string> {
+struct MadeAgain {
+  bool is_planned = false;
+  std::vector<std::string> faults = {};
+};
+
+/// Plans the dataset and renders images again, if job and scenes are there.
+MadeAgain make_again(const fs::path& root, const RerenderOptions& options) {
+  const auto skip = [&](const std::string& why) -> MadeAgain {
     if (options.images > 0) throw std::runtime_error(root.string() + ": " + why + ", which --rerender needs");
     std::cout << root.string() << ": " << why << ": not planned again\n";
     return {};
@@ -53,18 +58,25 @@ std::vector<std::string> faults_by_making_again(const fs::path& root, const Rere
   if (!has_scenes(job)) return skip("its scenes are not there");
   prepare_scenes(job, root);
   const Plan plan = plan_of(job, interruptible_watch());
-  std::vector<std::string> faults = faults_against_plan(root, plan);
-  if (options.images == 0) return faults;
+  MadeAgain again{.is_planned = true, .faults = faults_against_plan(root, plan)};
+  if (options.images == 0) return again;
   Progress progress("images", 0, std::min<std::int64_t>(options.images, image_count(plan)));
   const std::vector<RerenderedImage> images = rerender(
       root, plan, options,
       {.advance = [&](std::int64_t more, const std::string& file) { progress.advance(more, file); }});
   progress.finish();
-  write_report(root, options, images);
+  keep_rerender(root, {options.samples, options.max_shift_px, options.max_block_rms_px, images});
   std::cout << brief(images) << "\n";
   for (const RerenderedImage& image : images)
-    if (!image.fault.empty()) faults.push_back(image.file + ": " + image.fault);
-  return faults;
+    if (!image.fault.empty()) again.faults.push_back(image.file + ": " + image.fault);
+  return again;
+}
+
+/// Keeps the result for cps report. A folder that may not be written to can be verified all the same.
+void keep(const fs::path& root, const VerifySummary& summary, bool is_planned_again) try {
+  keep_verification(root, summary, is_planned_again);
+} catch (const std::exception& error) {
+  std::cout << error.what() << ": cps report will not know of this\n";
 }
 
 }  // namespace
@@ -87,7 +99,9 @@ int cps_verify(const Arguments& arguments) {
   if (again.samples < 1 || again.samples > 65536) throw po::error("--samples: must lie in [1, 65536]");
   const fs::path root = values["dataset"].as<std::string>();
   VerifySummary summary = verify_dataset(root);
-  for (std::string& fault : faults_by_making_again(root, again)) summary.faults.push_back(std::move(fault));
+  const MadeAgain made = make_again(root, again);
+  summary.faults.insert(summary.faults.end(), made.faults.begin(), made.faults.end());
+  keep(root, summary, made.is_planned);
   for (const std::string& fault : summary.faults) std::cerr << fault << "\n";
   std::cout << summary.brief() << "\n";
   return summary.faults.empty() ? 0 : 1;

@@ -63,23 +63,42 @@ ViewRecord record_of(const std::string& text, const fs::path& file) {
   return view_record_from_json(line, file.string());
 }
 
-void read_journal(const fs::path& file, JournalLines& lines) {
+/// Calls visit(record) for each whole line. Returns the number of damaged ones.
+template <typename Visit>
+int read_journal(const fs::path& file, Visit&& visit) {
+  int unreadable = 0;
   const std::string text = read_file(file);
   std::istringstream whole_lines(text.substr(0, length_of_lines(text)));
   for (std::string line; std::getline(whole_lines, line);) try {
-      ViewRecord record = record_of(line, file);
-      lines.views[record.view] = std::move(record);
+      visit(record_of(line, file));
     } catch (const std::exception&) {
-      ++lines.unreadable;
+      ++unreadable;
     }
+  return unreadable;
 }
 
 }  // namespace
 
 JournalLines read_journals(const fs::path& dataset) {
   JournalLines lines;
-  for (const auto& [shard, file] : journals_in(dataset)) read_journal(file, lines);
+  for (const auto& [shard, file] : journals_in(dataset))
+    lines.unreadable +=
+        read_journal(file, [&](ViewRecord&& record) { lines.views[record.view] = std::move(record); });
   return lines;
+}
+
+std::vector<JournalTally> tally_journals(const fs::path& dataset) {
+  std::vector<JournalTally> tallies;
+  for (const auto& [shard, file] : journals_in(dataset)) {
+    JournalTally tally{.shard = shard};
+    tally.unreadable = read_journal(file, [&](const ViewRecord& record) {
+      ++tally.views;
+      tally.images += static_cast<std::int64_t>(record.images.size());
+      for (const ImageRecord& image : record.images) tally.bytes += image.bytes;
+    });
+    tallies.push_back(tally);
+  }
+  return tallies;
 }
 
 std::vector<std::int64_t> journalled_shard_counts(const fs::path& dataset) {

@@ -24,6 +24,17 @@ JournalLines read_journals(const std::filesystem::path& dataset);
 /// The numbers of shards n (of `--shard i/n`) that a folder has journals of, each once, ascending.
 std::vector<std::int64_t> journalled_shard_counts(const std::filesystem::path& dataset);
 
+/// What one journal holds.
+struct JournalTally {
+  Shard shard;
+  std::int64_t views = 0, images = 0;
+  std::uint64_t bytes = 0;  ///< of the images' files
+  int unreadable = 0;       ///< damaged lines
+};
+
+/// Adds up every journal of a folder, line by line. A view that two shards made counts in both.
+std::vector<JournalTally> tally_journals(const std::filesystem::path& dataset);
+
 /// The lock file of a folder. Processes that make images there hold it shared, the one that finishes the
 /// dataset holds it exclusively.
 std::filesystem::path folder_lock(const std::filesystem::path& dataset);

@@ -45,7 +45,16 @@ nlohmann::json DatasetFiles::list(const char* key) const {
   return description ? description->value(key, nlohmann::json::array()) : nlohmann::json::array();
 }
 
-DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
+std::string streets_of(const nlohmann::json& scenes, const nlohmann::json& condition) {
+  const std::string file = condition.value("scene", "");
+  for (const auto& scene : scenes)
+    if (scene.value("file", "") == file && scene.contains("city"))
+      return "city " + scene["city"].value("style", "") + " " +
+             scene["city"].value("seed", nlohmann::json(0)).dump();
+  return file;
+}
+
+DatasetFiles open_dataset(const fs::path& root) {
   if (!is_finished(root) && has_job(root))
     throw std::runtime_error(
         root.string() + ": has no dataset.json: it is not finished; run cps generate again, or cps finish");
@@ -55,6 +64,11 @@ DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
   else if (has_frames(files.dataset))
     throw std::runtime_error((root / "dataset.json").string() +
                              ": is missing: copy it from where the dataset comes from");
+  return files;
+}
+
+DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
+  DatasetFiles files = open_dataset(root);
   for (std::size_t g = 0; g < files.dataset.groups.size(); ++g) {
     if (files.description) read_frames(files, g, faults);
     const fs::path& folder = files.dataset.groups[g].folder;

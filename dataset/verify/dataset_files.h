@@ -31,8 +31,16 @@ struct DatasetFiles {
   nlohmann::json list(const char* key) const;
 };
 
-/// Reads everything but pixels. Adds a fault for each frames.csv that cannot be read. Throws
-/// std::runtime_error with one line when the folder is not a finished dataset.
+/// What tells the streets of a condition's scene from others': those of a city are the same on all its days.
+/// `scenes`: those of dataset.json.
+std::string streets_of(const nlohmann::json& scenes, const nlohmann::json& condition);
+
+/// Reads the labels, the split lists and dataset.json, no frames.csv. Throws std::runtime_error with one line
+/// when the folder is not a finished dataset.
+DatasetFiles open_dataset(const std::filesystem::path& root);
+
+/// Reads everything but pixels: as open_dataset(), and every frames.csv. Adds a fault for each frames.csv
+/// that cannot be read. Throws std::runtime_error with one line when the folder is not a finished dataset.
 DatasetFiles read_dataset_files(const std::filesystem::path& root, Faults& faults);
 
 }  // namespace cps

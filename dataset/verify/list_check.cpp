@@ -27,16 +27,6 @@ std::set<std::string> check_listed(const DatasetFiles& files, Faults& faults) {
   return listed;
 }
 
-/// What tells a scene's streets from others': those of a city are the same on all its days.
-std::string streets_of(const DatasetFiles& files, const nlohmann::json& condition) {
-  const std::string file = condition.value("scene", "");
-  for (const auto& scene : files.list("scenes"))
-    if (scene.value("file", "") == file && scene.contains("city"))
-      return "city " + scene["city"].value("style", "") + " " +
-             scene["city"].value("seed", nlohmann::json(0)).dump();
-  return file;
-}
-
 }  // namespace
 
 void check_lists(const DatasetFiles& files, Faults& faults) {
@@ -59,8 +49,9 @@ void check_streets(const DatasetFiles& files, Faults& faults) {
   if (!files.description) return;
   const auto recipe = files.description->value("recipe", nlohmann::json::object());
   if (recipe.value("split", "route") == "thesis") return;
+  const nlohmann::json scenes = files.list("scenes");
   std::vector<std::string> streets;  // by condition
-  for (const auto& condition : files.list("conditions")) streets.push_back(streets_of(files, condition));
+  for (const auto& condition : files.list("conditions")) streets.push_back(streets_of(scenes, condition));
   std::map<std::pair<std::string, std::string>, Part> part_of_street;
   for (const auto& [file, frame] : files.frames) {
     if (frame.condition >= static_cast<std::int64_t>(streets.size())) {

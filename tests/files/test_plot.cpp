@@ -181,3 +181,28 @@ TEST_CASE("a page holds each plot's diagram in a grid, with its texts escaped") 
   CHECK(frame.attribute("x").as_double() + frame.attribute("width").as_double() < size.x() / 2);
   CHECK(frame.attribute("y").as_double() + frame.attribute("height").as_double() < size.y() / 2);
 }
+
+TEST_CASE(
+    "a map's scales are equal, all its points lie on it, and its frame has the size and name asked for") {
+  for (const std::vector<Eigen::Vector2d>& points :
+       {std::vector<Eigen::Vector2d>{{-300, 10}, {500, 40}}, {{3, -900}, {4, 900}}, {{7, 7}}}) {
+    Plot map{
+        .title = "", .x_label = "", .y_label = "", .series = {{.name = "", .points = points, .colour = 2}}};
+    const PlotFrame frame{.width = 500, .height = 640, .clip = "town"};
+    make_scales_equal(map, frame);
+    for (const Eigen::Vector2d& p : points) {
+      CHECK((p.x() >= map.x_range->low && p.x() <= map.x_range->high));
+      CHECK((p.y() >= map.y_range->low && p.y() <= map.y_range->high));
+    }
+    pugi::xml_document page;
+    REQUIRE(page.load_string(to_svg({&map, 1}, 1, frame).c_str()));
+    const pugi::xml_node svg = page.child("svg"), diagram = svg.child("g"), inside = diagram.child("rect");
+    CHECK(svg.attribute("width").as_int() == 500);
+    CHECK(svg.attribute("height").as_int() == 640);
+    CHECK(inside.attribute("width").as_double() / (map.x_range->high - map.x_range->low) ==
+          Approx(inside.attribute("height").as_double() / (map.y_range->high - map.y_range->low)));
+    CHECK(svg.child("clipPath").attribute("id").value() == std::string("town"));
+    const pugi::xml_node curve = diagram.find_child_by_attribute("path", "clip-path", "url(#town)");
+    CHECK(curve.attribute("stroke").value() == std::string("#009e73"));  // the third colour
+  }
+}

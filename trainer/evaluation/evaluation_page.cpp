@@ -1,9 +1,10 @@
 #include <OpenImageIO/imagebuf.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 
+#include "files/data_uri.h"
+#include "files/html_page.h"
 #include "files/markup.h"
 #include "files/plot.h"
 #include "files/png.h"
@@ -12,15 +13,6 @@
 
 namespace cps {
 namespace {
-
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // with a final zero
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
-}
 
 PlotSeries diagonal(Interval range) {
   return {.style = PlotStyle::line, .points = {{range.low, range.low}, {range.high, range.high}}};
@@ -76,7 +68,7 @@ std::string picture(const EvaluatedImage& image) {
     const GrayImage gray = area_average(whole, reduced_size(whole.size, {.width = 420}));
     OIIO::ImageBuf pixels(OIIO::ImageSpec(gray.size.width, gray.size.height, 1, OIIO::TypeDesc::UINT8));
     pixels.set_pixels(OIIO::ROI::All(), OIIO::TypeDesc::UINT8, gray.pixels.data());
-    return "data:image/png;base64," + base64(encode_png(pixels));
+    return data_uri("image/png", encode_png(pixels));
   } catch (const std::exception&) {
     return "";
   }
@@ -104,21 +96,14 @@ std::string worst_images(const Evaluation& e) {
 }  // namespace
 
 std::string to_html(const Evaluation& evaluation) {
-  return fmt::format(R"(<!doctype html>
-<html lang="en"><meta charset="utf-8"><title>cps eval: {set}</title>
-<style>body{{font:15px sans-serif;max-width:1300px;margin:2em auto;padding:0 1em}}
-figure{{display:inline-block;margin:.5em;vertical-align:top}}img{{max-width:420px}}
-figcaption{{font-size:12px;max-width:420px;overflow-wrap:anywhere}}svg{{max-width:100%;height:auto}}
-pre{{overflow-x:auto}}</style>
-<h1>{set}</h1>
-<pre>{report}</pre>
+  return html_page("cps eval: " + evaluation.set,
+                   fmt::format(R"(<h1>{}</h1>
+<pre>{}</pre>
 <h2>Predicted against true, and errors against H-FOV</h2>
-{plots}<h2>Worst images</h2>
-{worst}</html>
-)",
-                     fmt::arg("set", escaped(evaluation.set)),
-                     fmt::arg("report", escaped(evaluation.report())), fmt::arg("plots", plots(evaluation)),
-                     fmt::arg("worst", worst_images(evaluation)));
+{}<h2>Worst images</h2>
+{})",
+                               escaped(evaluation.set), escaped(evaluation.report()), plots(evaluation),
+                               worst_images(evaluation)));
 }
 
 }  // namespace cps
