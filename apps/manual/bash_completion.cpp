@@ -9,11 +9,11 @@ namespace {
 constexpr const char* head = R"(# bash completion of PROGRAM, as PROGRAM --completion bash prints it
 FUNCTION() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]-}
-  local first=1 second= candidates= switches= valued= candidate IFS=$' \t\n'
+  local first=1 second='' candidates='' switches='' valued='' candidate IFS=$' \t\n'
   COMPREPLY=()
   # Bash cuts --option=value into three words.
   if [ "$word" = = ]; then
-    word=
+    word=''
   elif [ "$previous" = = ]; then
     previous=${COMP_WORDS[COMP_CWORD - 2]}
   fi
@@ -21,9 +21,9 @@ FUNCTION() {
     first=2
     verb=${COMP_WORDS[2]-}
   fi
-  [ "$COMP_CWORD" -gt $((first + 1)) ] && second=${COMP_WORDS[first + 1]}
+  if [ "$COMP_CWORD" -gt $((first + 1)) ]; then second=${COMP_WORDS[first + 1]}; fi
   if [ "$COMP_CWORD" = "$first" ]; then
-    verb=
+    verb=''
     candidates='VERBS help --help --version'
   fi
   case "$verb $second" in
@@ -47,7 +47,7 @@ constexpr const char* tail = R"(  esac
   if [ -n "$candidates" ]; then
     # - and _ in the names of options mean the same.
     for candidate in $candidates; do
-      [[ ${candidate//_/-} == "${word//_/-}"* ]] && COMPREPLY+=("$candidate")
+      if [[ ${candidate//_/-} == "${word//_/-}"* ]]; then COMPREPLY+=("$candidate"); fi
     done
   else
     compopt -o filenames 2>/dev/null
