@@ -111,15 +111,17 @@ int train_verb(const Arguments& arguments) {
   std::string data, out, device, presets;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
-  po::options_description all("Options");
-  all.add_options()("data", po::value<std::string>(&data)->value_name("DATASET")->required(),
-                    "dataset folder")("out,o", po::value<std::string>(&out)->value_name("MODEL")->required(),
-                                      "model folder, created if missing")(
+  po::options_description files("Options");
+  files.add_options()("data", po::value<std::string>(&data)->value_name("DATASET")->required(),
+                      "dataset folder")("out,o",
+                                        po::value<std::string>(&out)->value_name("MODEL")->required(),
+                                        "model folder, created if missing")(
       "preset", po::value<std::string>()->value_name("NAME"), (presets + "flags below override it").c_str())(
       "device", po::value<std::string>(&device)->value_name("DEVICE")->default_value("cpu"),
       "where to compute: cpu or cuda")("resume", po::bool_switch(),
                                        "continue the training of the model in --out, with its own options");
   const po::options_description how = training_flags(options, words);
+  po::options_description all = files;
   all.add(how);
   po::variables_map values;
   if (!parse_options(arguments, train_manual, all, {}, values)) return 0;
