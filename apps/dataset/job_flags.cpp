@@ -34,7 +34,7 @@ po::options_description drive_flags() {
   flags.add_options()("route", po::value<std::string>()->value_name("FILE"),
                       "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
                       "cars follow the scene's lanes, or else a drive that is searched for");
-  flags.add_options()("look", po::value<std::string>(),
+  flags.add_options()("look", po::value<std::string>()->value_name("FOLDER"),
                       "folder for a picture of each scene from above, with the drives drawn in");
   return flags;
 }
