@@ -6,6 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/manual/help_text.h"
+#include "apps/manual/pages.h"
+
 namespace po = boost::program_options;
 
 namespace cps {
@@ -57,10 +60,11 @@ std::vector<std::string> spelled_arguments(std::vector<std::string> arguments,
 
 }  // namespace
 
-bool parse_options(const std::vector<std::string>& arguments, const std::string& manual,
+bool parse_options(const std::vector<std::string>& arguments, const Manual& manual,
                    po::options_description visible, const po::positional_options_description& positional,
                    po::variables_map& values) {
   visible.add_options()("help,h", "print this text");
+  if (print_page(arguments, manual, visible)) return false;
   // Options may not be shortened: a recipe key added later must not change what a script means.
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   po::store(po::command_line_parser(spelled_arguments(arguments, visible))
@@ -70,12 +74,13 @@ bool parse_options(const std::vector<std::string>& arguments, const std::string&
                 .run(),
             values);
   if (values.count("help") == 0) return true;
-  std::cout << manual << "\n" << visible;
+  std::cout << help_text(manual, option_groups(visible));
   return false;
 }
 
 po::typed_value<std::string>* path_value(std::filesystem::path& target) {
-  return po::value<std::string>()->notifier([&target](const std::string& text) { target = text; });
+  return po::value<std::string>()->value_name("FILE")->notifier(
+      [&target](const std::string& text) { target = text; });
 }
 
 ImageSize picture_size(const std::string& flag, const std::string& text) {

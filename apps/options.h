@@ -6,21 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "apps/manual/manual.h"
 #include "sampler/recipe/key_options.h"
 
 namespace cps {
 
-/// Parses a verb's arguments. With --help, prints `manual` and the options and returns false. Unknown options
-/// and missing values throw boost::program_options::error.
+/// Parses a verb's arguments. With --help, prints `manual` and the options and returns false; so it does for
+/// the verb's man page and completion (apps/manual/pages.h). Unknown options and missing values throw
+/// boost::program_options::error.
 ///
 /// Option names may be written with `-` or `_` (--max-zoom is --max_zoom), and a few have a second name that
 /// every verb accepts, such as --output for --out.
-bool parse_options(const std::vector<std::string>& arguments, const std::string& manual,
+bool parse_options(const std::vector<std::string>& arguments, const Manual& manual,
                    boost::program_options::options_description visible,
                    const boost::program_options::positional_options_description& positional,
                    boost::program_options::variables_map& values);
 
-/// A value that is read as a whole, spaces included; Boost cuts a std::filesystem::path at the first space.
+/// A file or folder, read as a whole, spaces included; Boost cuts a std::filesystem::path at the first space.
 boost::program_options::typed_value<std::string>* path_value(std::filesystem::path& target);
 
 /// The text of an option as a number, a size, or a list of them. Throws boost::program_options::error naming

@@ -3,12 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "apps/manual/pages.h"
+
 /// The verbs of `cps`, one file each. Each takes the arguments after the verb and returns the exit status: 0,
 /// or 1 if a check (verify, lens check) found something wrong. Throws boost::program_options::error for wrong
 /// usage (exit 2) and std::runtime_error, one line, for a failure (exit 1).
 namespace cps {
 
 using Arguments = std::vector<std::string>;
+
+extern const Manual city_manual, render_manual, plan_manual, generate_manual, finish_manual, verify_manual,
+    contact_sheet_manual, export_manual, report_manual, distort_manual, undistort_manual, relens_manual;
+const Manual& lens_manual();  // made when it is first asked for, from those of its verbs
 
 int cps_city(const Arguments& arguments);
 int cps_render(const Arguments& arguments);

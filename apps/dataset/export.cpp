@@ -15,22 +15,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* manual =
-    R"(cps export: write a finished dataset in the layout that another program reads
-
-Usage: cps export DATASET --to TARGET -o FOLDER
-
-  webdataset   tars of images with their labels as JSON, for each split
-  huggingface  a folder per split with metadata.jsonl, a dataset card, croissant.json
-  colmap       a text model with images for each condition
-  nerfstudio   transforms.json with images for each condition
-  kitti        KITTI raw's folders, a calibration and its drives for each group
-
-Images are not encoded anew. Outside of tars they are hard links to those of the
-dataset where the file system allows it: then a change to one changes the other.
-Run the same command again after an interruption, and it goes on.
-)";
-
 struct ExportRequest {
   fs::path dataset, output;
   std::string target;
@@ -40,10 +24,12 @@ struct ExportRequest {
 po::options_description describe(ExportRequest& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("dataset", path_value(r.dataset)->required(),
+  add("dataset", path_value(r.dataset)->value_name("DATASET")->required(),
       "the dataset's folder; its name alone will do, without --dataset");
-  add("to", po::value(&r.target)->required(), "webdataset, huggingface, colmap, nerfstudio or kitti");
-  add("out,o", path_value(r.output)->required(), "folder to write: new or empty, or that of the same export");
+  add("to", po::value(&r.target)->value_name("TARGET")->required(),
+      "webdataset, huggingface, colmap, nerfstudio or kitti");
+  add("out,o", path_value(r.output)->value_name("FOLDER")->required(),
+      "folder to write: new or empty, or that of the same export");
   add("shard_mb", po::value(&r.options.shard_mb)->default_value(r.options.shard_mb),
       "webdataset: most millions of bytes in a tar");
   add("copy", po::bool_switch(&r.options.copy), "copy images instead of linking them");
@@ -83,12 +69,41 @@ int run_export(const ExportRequest& request) {
 
 }  // namespace
 
+const Manual export_manual{
+    .name = "cps export",
+    .summary = "write a dataset in the layout that another program reads",
+    .synopsis = {"DATASET --to TARGET -o FOLDER"},
+    .description = R"(
+Writes a finished dataset for another program. The targets are webdataset (tars
+of images with their labels as JSON, for each split), huggingface (a folder per
+split with metadata.jsonl, a dataset card and croissant.json), colmap (a text
+model with images for each condition), nerfstudio (transforms.json with images
+for each condition) and kitti (KITTI raw's folders, a calibration and its drives
+for each group).
+
+Images are not encoded anew. Outside of tars they are hard links to those of the
+dataset where the file system allows it: then a change to one changes the other.
+Run the same command again after an interruption, and it goes on.
+)",
+    .exit_status =
+        {{"0", "done"},
+         {"1", "failed"},
+         {"2", "wrong usage"},
+         {"75",
+          "interrupted by SIGTERM or SIGINT, or another process exports to the same folder: run it "
+          "again"}},
+    .examples = {{"cps export data --to webdataset -o tars", "makes tars for training"},
+                 {"cps export data --to huggingface --license cc-by-4.0 -o hub",
+                  "makes a folder to share on Hugging Face"}},
+    .see_also = {"cps generate", "cps report"},
+};
+
 int cps_export(const Arguments& arguments) {
   ExportRequest request;
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments, manual, describe(request), positional, values)) return 0;
+  if (!parse_options(arguments, export_manual, describe(request), positional, values)) return 0;
   po::notify(values);
   request.options.target = target_of(request.target);
   refuse_flags_with(request.options.fault());

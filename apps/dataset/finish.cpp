@@ -15,14 +15,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage = R"(cps finish DATASET
-Completes a dataset whose shares cps generate --shard made, on any number of machines: joins the journals, and
-either lists the views that are missing or writes the split lists and dataset.json. Recipe and scenes are those
-that the folder was begun with.
-Exit status: 0 finished, 1 views are missing, or failed, 75 interrupted, or other processes still work there:
-run it again.
-)";
-
 int finish(const fs::path& root) {
   const std::string name = root.string();
   if (is_finished(root)) {
@@ -48,13 +40,32 @@ int finish(const fs::path& root) {
 
 }  // namespace
 
+const Manual finish_manual{
+    .name = "cps finish",
+    .summary = "join the shards of a dataset",
+    .synopsis = {"DATASET"},
+    .description = R"(
+Completes a dataset whose shares cps generate --shard made, on any number of
+machines: joins the journals, and either lists the views that are missing or
+writes the split lists and dataset.json. Recipe and scenes are those that the
+folder was begun with.
+)",
+    .exit_status = {{"0", "finished"},
+                    {"1", "failed, or views are missing"},
+                    {"2", "wrong usage"},
+                    {"75", "interrupted, or other processes still work there: run it again"}},
+    .examples = {{"cps finish /share/data", "joins what the shards in /share/data made"}},
+    .see_also = {"cps generate", "cps verify", "cps-slurm"},
+};
+
 int cps_finish(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder");
+  options.add_options()("dataset", po::value<std::string>()->value_name("DATASET")->required(),
+                        "the dataset's folder");
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments, usage, options, positional, values)) return 0;
+  if (!parse_options(arguments, finish_manual, options, positional, values)) return 0;
   po::notify(values);
   const auto& root = values["dataset"].as<std::string>();
   return run_interruptible(root, [&] { return finish(root); });

@@ -15,15 +15,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage =
-    R"(cps generate --recipe FILE --out DIR [--shard I/N] [--KEY VALUE …]
-Makes a dataset: plans every view and lens, renders each view once, and photographs it through its lenses.
-Run the same command again after an interruption to continue; a finished dataset is left alone. With --shard
-it makes one of N shares of the images; when all N are made, cps finish completes the dataset.
-Exit status: 0 done, 1 failed, 2 wrong usage, 75 interrupted by SIGTERM or SIGINT, or another process makes
-the same images: run it again.
-)";
-
 Shard shard_from(const po::variables_map& values) {
   if (values.count("shard") == 0) return {};
   const auto& text = values["shard"].as<std::string>();
@@ -99,12 +90,47 @@ int generate(const po::variables_map& values, int threads) {
 
 }  // namespace
 
+const Manual generate_manual{
+    .name = "cps generate",
+    .summary = "make a dataset from a recipe, or resume one",
+    .synopsis = {"--recipe FILE --out FOLDER [--shard I/N] [--KEY VALUE ...]"},
+    .description = R"(
+Plans every view and lens of a dataset, renders each view once, and photographs
+it through its lenses.
+
+Run the same command again after an interruption to continue; a finished dataset
+is left alone. With --shard it makes one of N shares of the images; when all N
+are made, cps finish completes the dataset. The result is the same, byte for
+byte, for any number of threads, shares and interruptions.
+
+Every key of a recipe is also an option, which overrides the file; --scene,
+--city_seed and --cities together replace all scenes of the file.
+
+SIGTERM and SIGINT end the program after it has written the images of the views
+already rendered; a second one kills it.
+)",
+    .exit_status = {{"0", "done"},
+                    {"1", "failed"},
+                    {"2", "wrong usage"},
+                    {"75",
+                     "interrupted by SIGTERM or SIGINT, or another process makes the same images: run it "
+                     "again"}},
+    .examples = {{"cps generate --recipe demo --out data",
+                  "makes the dataset of the shipped recipe demo, with a city of its own"},
+                 {"cps generate --recipe demo --scene city.glb --views 10 --out data",
+                  "makes ten views per size and H-FOV of a scene of yours"},
+                 {"cps generate --recipe cps-v2 --out /share/data --shard 3/8 --threads 16",
+                  "makes the fourth of eight shares with 16 threads"}},
+    .see_also = {"cps plan", "cps finish", "cps verify", "cps contact-sheet", "cps-slurm"},
+};
+
 int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("out,o", po::value<std::string>()->required(), "the dataset's folder")(
-      "shard", po::value<std::string>(), "make only share I of N, as 0/4 … 3/4");
+  options.add_options()("out,o", po::value<std::string>()->value_name("FOLDER")->required(),
+                        "the dataset's folder")("shard", po::value<std::string>()->value_name("I/N"),
+                                                "make only share I of N, as 0/4 … 3/4");
   po::variables_map values;
-  if (!parse_job_options(arguments, usage, options, values)) return 0;
+  if (!parse_job_options(arguments, generate_manual, options, values)) return 0;
 
   const ThreadLimit threads(values);
   return run_interruptible(values["out"].as<std::string>(), [&] { return generate(values, threads.count); });

@@ -29,21 +29,21 @@ po::options_description drive_flags() {
   po::options_description flags("Scenes without metres or lanes");
   flags.add_options()("metres_per_unit", po::value<double>()->default_value(0),
                       "metres per unit of the scenes; 0: 1 if they have lanes, otherwise estimated");
-  flags.add_options()("up", po::value<std::string>()->default_value("y"),
+  flags.add_options()("up", po::value<std::string>()->value_name("AXIS")->default_value("y"),
                       "axis of the scenes that points up: y, as in glTF, or z");
-  flags.add_options()("route", po::value<std::string>(),
+  flags.add_options()("route", po::value<std::string>()->value_name("FILE"),
                       "CSV file of a drive through the scene: x,y,z[,heading_deg] in its units. Without it "
                       "cars follow the scene's lanes, or else a drive that is searched for");
-  flags.add_options()("look", po::value<std::string>(),
+  flags.add_options()("look", po::value<std::string>()->value_name("FOLDER"),
                       "folder for a picture of each scene from above, with the drives drawn in");
   return flags;
 }
 
 }  // namespace
 
-bool parse_job_options(const std::vector<std::string>& arguments, const std::string& manual,
+bool parse_job_options(const std::vector<std::string>& arguments, const Manual& manual,
                        po::options_description options, po::variables_map& values) {
-  options.add_options()("recipe", po::value<std::string>(),
+  options.add_options()("recipe", po::value<std::string>()->value_name("FILE"),
                         "recipe file, or the name of an installed recipe, such as cps-v3");
   add_threads_option(options);
   options.add(drive_flags()).add(recipe_options());

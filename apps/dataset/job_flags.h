@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/manual/manual.h"
 #include "production/dataset_job.h"
 
 namespace cps {
@@ -14,7 +15,7 @@ namespace cps {
 /// which are `--recipe`, the recipe's keys, `--threads`, and `--metres_per_unit`, `--up`, `--route` and
 /// `--look`, which say how cars drive through the scenes and show it. Stores the keys of the recipe's file.
 /// False after --help. Throws as parse_options() and store_named_recipe() do.
-bool parse_job_options(const std::vector<std::string>& arguments, const std::string& manual,
+bool parse_job_options(const std::vector<std::string>& arguments, const Manual& manual,
                        boost::program_options::options_description options,
                        boost::program_options::variables_map& values);
 

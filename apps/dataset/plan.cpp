@@ -13,12 +13,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage =
-    R"(cps plan --recipe FILE [--cores N] [--price P] [--out DIR] [--json] [--KEY VALUE …]
-Estimates what a dataset takes before it is begun: images, core-hours, memory, disk, time, money. Renders a few
-views of the recipe in a temporary folder and extrapolates.
-)";
-
 /// Free space on the disk where the folder is or would be made.
 double free_bytes(fs::path folder) {
   folder = fs::absolute(folder);
@@ -34,17 +28,33 @@ void print_on_stderr(const std::string& line) {
 
 }  // namespace
 
+const Manual plan_manual{
+    .name = "cps plan",
+    .summary = "estimate what a recipe makes and costs",
+    .synopsis = {"--recipe FILE [--cores N] [--price P] [--out FOLDER] [--json] [--KEY VALUE ...]"},
+    .description = R"(
+Estimates what a dataset takes before it is begun: images, core-hours, memory,
+disk, time and money. Renders a few views of the recipe in a temporary folder
+(TMPDIR) and extrapolates. Core-hours are CPU time on a machine like this one.
+
+Every key of a recipe is also an option, which overrides the file.
+)",
+    .examples = {{"cps plan --recipe cps-v2 --cores 1000 --price 0.04 --out /share",
+                  "estimates time and price on a thousand cores, and whether /share has room"}},
+    .see_also = {"cps generate"},
+};
+
 int cps_plan(const Arguments& arguments) {
   po::options_description options("Options");
-  options.add_options()("out,o", po::value<std::string>()->default_value("."),
+  options.add_options()("out,o", po::value<std::string>()->value_name("FOLDER")->default_value("."),
                         "the dataset's folder, to compare with the free space there")(
-      "cores", po::value<int>()->default_value(tbb::info::default_concurrency()),
+      "cores", po::value<int>()->default_value(tbb::info::default_concurrency(), "this machine's"),
       "cores that will share the work, to estimate the time")("price", po::value<double>()->default_value(0),
                                                               "price of a core-hour")(
       "conditions", po::value<int>()->default_value(5),
       "conditions to measure, with one view of each size and H-FOV in each")("json", "print JSON");
   po::variables_map values;
-  if (!parse_job_options(arguments, usage, options, values)) return 0;
+  if (!parse_job_options(arguments, plan_manual, options, values)) return 0;
   const int conditions = values["conditions"].as<int>();
   Resources resources{.cores = values["cores"].as<int>(),
                       .price_per_core_h = values["price"].as<double>(),

@@ -10,28 +10,28 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace cps {
-namespace {
-
-constexpr const char* manual =
-    R"(cps report: describe a dataset on one HTML page
-
-Usage: cps report DATASET [-o FILE.html] [--thumbnails N] [--lenses N]
-
+const Manual report_manual{
+    .name = "cps report",
+    .summary = "describe a dataset on one HTML page",
+    .synopsis = {"DATASET [-o FILE.html] [--thumbnails N] [--lenses N]"},
+    .description = R"(
 Writes a page that needs no other file and no network: counts, contact sheets,
 distributions of all labels beside their limits, maps of the places, light and
 weather, what cps verify found, what the dataset cost, and a list of lenses that
 are drawn on demand. However large the dataset is, the page stays below 10 MB.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps report data", "writes data/report.html"}},
+    .see_also = {"cps verify", "cps contact-sheet"},
+};
 
 int cps_report(const Arguments& arguments) {
   ReportOptions report;
   po::options_description options("Options");
   auto add = options.add_options();
-  add("dataset", po::value<std::string>()->required(),
+  add("dataset", po::value<std::string>()->value_name("DATASET")->required(),
       "the dataset's folder; its name alone will do, without --dataset");
-  add("out,o", po::value<std::string>(), "the .html file to write [report.html in the dataset's folder]");
+  add("out,o", po::value<std::string>()->value_name("FILE.html"),
+      "the .html file to write [report.html in the dataset's folder]");
   add("thumbnails", po::value(&report.thumbnails)->default_value(report.thumbnails),
       "largest number of images in the contact sheets, all together, 0 to 400");
   add("rows", po::value(&report.rows_per_set)->default_value(report.rows_per_set),
@@ -46,7 +46,7 @@ int cps_report(const Arguments& arguments) {
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments, manual, options, positional, values)) return 0;
+  if (!parse_options(arguments, report_manual, options, positional, values)) return 0;
   po::notify(values);
   refuse_flags_with(report.fault());
   const ThreadLimit threads(values);

@@ -19,14 +19,6 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-constexpr const char* usage = R"(cps verify DATASET [--rerender N]
-Checks every file of a finished dataset against its labels, and every label against itself. If the job's file
-and its scenes are there, plans the dataset again and compares labels, lists and poses with that plan.
-With --rerender N renders N randomly chosen images again through the lens of their label, ray by ray, and
-compares them with the stored ones. The results are kept in .cps/verify.json and .cps/rerender.json for cps
-report. Exit status: 1 when something is wrong.
-)";
-
 /// One line about all images rendered again.
 std::string brief(const std::vector<RerenderedImage>& images) {
   double shift = 0, blocks = 0, min_db = 1e30;
@@ -81,19 +73,39 @@ void keep(const fs::path& root, const VerifySummary& summary, bool is_planned_ag
 
 }  // namespace
 
+const Manual verify_manual{
+    .name = "cps verify",
+    .summary = "check every file of a dataset against its labels",
+    .synopsis = {"DATASET [--rerender N]"},
+    .description = R"(
+Checks every file of a finished dataset against its labels, and every label
+against itself. If the job's file and its scenes are there, plans the dataset
+again and compares labels, lists and poses with that plan.
+
+With --rerender N renders N randomly chosen images again through the lens of
+their label, ray by ray, and compares them with the stored ones. The results are
+kept in .cps/verify.json and .cps/rerender.json in the dataset, for cps report.
+)",
+    .exit_status = {{"0", "nothing is wrong"}, {"1", "failed, or something is wrong"}, {"2", "wrong usage"}},
+    .examples = {{"cps verify data", "checks every file"},
+                 {"cps verify data --rerender 20", "also renders twenty images again"}},
+    .see_also = {"cps generate", "cps finish", "cps report"},
+};
+
 int cps_verify(const Arguments& arguments) {
   RerenderOptions again;
   po::options_description options("Options");
-  options.add_options()("dataset", po::value<std::string>()->required(), "the dataset's folder")(
-      "rerender", po::value(&again.images)->default_value(again.images),
-      "how many randomly chosen images to render again")(
+  options.add_options()("dataset", po::value<std::string>()->value_name("DATASET")->required(),
+                        "the dataset's folder")("rerender",
+                                                po::value(&again.images)->default_value(again.images),
+                                                "how many randomly chosen images to render again")(
       "samples", po::value(&again.samples)->default_value(again.samples),
       "samples per pixel of those renders")("seed", po::value(&again.seed)->default_value(again.seed),
                                             "seed of the random choice");
   po::positional_options_description positional;
   positional.add("dataset", 1);
   po::variables_map values;
-  if (!parse_options(arguments, usage, options, positional, values)) return 0;
+  if (!parse_options(arguments, verify_manual, options, positional, values)) return 0;
   po::notify(values);
   if (again.images < 0) throw po::error("--rerender: must not be negative");
   if (again.samples < 1 || again.samples > 65536) throw po::error("--samples: must lie in [1, 65536]");

@@ -101,32 +101,37 @@ void check(const std::vector<ImageSize>& sizes, const std::vector<double>& hfovs
   refuse_flags_with(bounds.fault());
 }
 
-constexpr const char* manual =
-    R"(cps lens limits: how far each coefficient of a lens may go
+}  // namespace
 
-Usage: cps lens limits [--size WxH,...] [--hfov DEG,...] [--csv] [-o PLOT.svg]
-
+const Manual lens_limits_manual{
+    .name = "cps lens limits",
+    .summary = "compute how far each coefficient of a lens may go",
+    .synopsis = {"[--size WxH,...] [--hfov DEG,...] [--csv] [-o PLOT.svg]"},
+    .description = R"(
 Prints, for each image size and H-FOV, the interval of each coefficient in which
 a lens keeps the bounds while the other coefficients are 0.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps lens limits --size 1392x512 --hfov 60,90", "prints the limits for two fields of view"},
+                 {"cps lens limits -o limits.svg", "also plots them from 30 to 150 degrees"}},
+    .see_also = {"cps lens"},
+};
 
 int cps_lens_limits(const Arguments& arguments) {
   std::string size_list = "1392x512,1920x1080", hfov_list = "30,60,90,120,150", plot_file;
   po::options_description options("Options");
   auto add = options.add_options();
-  add("size", po::value(&size_list)->default_value(size_list),
+  add("size", po::value(&size_list)->value_name("SIZES")->default_value(size_list),
       "image sizes, WIDTHxHEIGHT in pixels, separated by commas");
-  add("hfov", po::value(&hfov_list)->default_value(hfov_list),
+  add("hfov", po::value(&hfov_list)->value_name("ANGLES")->default_value(hfov_list),
       "horizontal fields of view, degrees, separated by commas; 1 to 175");
   add("csv", "print comma-separated values with every digit instead of a table");
-  add("out,o", po::value(&plot_file), "also write a plot of the limits from 30 to 150 degrees, an .svg file");
+  add("out,o", po::value(&plot_file)->value_name("FILE"),
+      "also write a plot of the limits from 30 to 150 degrees, an .svg file");
   LensBounds bounds;
   const auto for_each_key = [&](auto visit) { for_each_bound_key(bounds, visit); };
   options.add(key_options("Bounds of a lens", for_each_key));
   po::variables_map values;
-  if (!parse_options(arguments, manual, options, {}, values)) return 0;
+  if (!parse_options(arguments, lens_limits_manual, options, {}, values)) return 0;
   po::notify(values);
   read_key_flags(values, for_each_key);
   const auto sizes = flag_value<std::vector<ImageSize>>("size", size_list);

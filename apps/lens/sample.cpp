@@ -58,17 +58,20 @@ std::vector<Plot> sample_plots(const nlohmann::ordered_json& rows) {
           scatter("cx", "cy"), scatter("k1", "fov"), scatter("zoom", "min_eigenvalue")};
 }
 
-constexpr const char* manual =
-    R"(cps lens sample: draw lenses as cps generate does
+}  // namespace
 
-Usage: cps lens sample N --size WxH --hfov DEG [--label-first] [--seed S]
-                       [--lens_draw SCHEME] [--json] [-o PLOT.svg]
-
+const Manual lens_sample_manual{
+    .name = "cps lens sample",
+    .summary = "draw lenses as cps generate does",
+    .synopsis =
+        {"N --size WxH --hfov DEG [--label-first] [--seed S] [--lens_draw SCHEME] [--json] [-o PLOT.svg]"},
+    .description = R"(
 Prints N drawn lenses with the principal point and the H-FOV that are left after
 the border-free crop.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps lens sample 100 --size 1920x1080 --hfov 90", "prints a hundred lenses as CSV"}},
+    .see_also = {"cps lens", "cps generate"},
+};
 
 int cps_lens_sample(const Arguments& arguments) {
   int count = 0;
@@ -79,7 +82,7 @@ int cps_lens_sample(const Arguments& arguments) {
   auto add = options.add_options();
   add("count", po::value(&count)->required(),
       "number of lenses, 1 to 1000000; the number alone will do, without --count");
-  add("size", po::value(&size_text)->required(),
+  add("size", po::value(&size_text)->value_name("WxH")->required(),
       "size of the images, WIDTHxHEIGHT in pixels, 32 to 8192 a side");
   add("hfov", po::value(&hfov_deg)->required(),
       "horizontal field of view of the base, before the crop, degrees, 5 to 165");
@@ -87,14 +90,15 @@ int cps_lens_sample(const Arguments& arguments) {
       "make --hfov the field of view of the images, after the crop; each lens gets the base that leads there");
   add("seed", po::value(&seed)->default_value(seed), "seed of the lenses, a whole number from 0");
   add("json", "print JSON instead of comma-separated values");
-  add("out,o", po::value(&plot_file), "also write scatter plots of the lenses, an .svg file");
+  add("out,o", po::value(&plot_file)->value_name("FILE"),
+      "also write scatter plots of the lenses, an .svg file");
   LensOptions lenses;
   const auto for_each_key = [&](auto visit) { for_each_lens_key(lenses, visit); };
   options.add(key_options("How lenses are drawn", for_each_key));
   po::positional_options_description positional;
   positional.add("count", 1);
   po::variables_map values;
-  if (!parse_options(arguments, manual, options, positional, values)) return 0;
+  if (!parse_options(arguments, lens_sample_manual, options, positional, values)) return 0;
   po::notify(values);
   read_key_flags(values, for_each_key);
   const auto size = flag_value<ImageSize>("size", size_text);

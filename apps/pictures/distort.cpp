@@ -41,9 +41,9 @@ po::options_description describe_all(DistortRequest& request) {
   po::options_description options = describe(request);
   auto add = options.add_options();
   add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees, 1 to 175");
-  add("source", po::value(&request.source_file),
+  add("source", po::value(&request.source_file)->value_name("FILE"),
       "instead of --hfov: file with the calibration of the input, whose distortion must be 0");
-  add("lens_draw", po::value(&request.scheme),
+  add("lens_draw", po::value(&request.scheme)->value_name("SCHEME"),
       "instead of --lens: draw the lens, by sequential, shape_prior or real_lenses");
   add("seed", po::value(&request.seed)->default_value(request.seed), "seed of a drawn lens");
   add("number", po::value(&request.number)->default_value(request.number),
@@ -110,12 +110,15 @@ void report_resolution(const DistortRequest& request, double min_source_px) {
   std::cerr << line << "; the filter is widened there\n";
 }
 
-constexpr const char* manual =
-    R"(cps distort: show ideal pictures through a lens
+}  // namespace
 
-Usage: cps distort INPUT -o OUTPUT (--lens CALIBRATION | --lens_draw SCHEME)
-                   (--hfov DEG | --source CALIBRATION) [--KEY VALUE ...]
-
+const Manual distort_manual{
+    .name = "cps distort",
+    .summary = "show ideal pictures through a lens, with labels",
+    .synopsis =
+        {"INPUT -o OUTPUT (--lens CALIBRATION | --lens_draw SCHEME) (--hfov DEG | --source CALIBRATION) "
+         "[--KEY VALUE ...]"},
+    .description = R"(
 Takes pictures without distortion, such as a simulator's, to pictures as the
 lens would have taken them, and writes their label.
 
@@ -128,16 +131,20 @@ equal all over the picture.
 
 Pixel type, channels and file format stay as they are. If pictures of a folder
 fail, they are named, the others are written, and the exit status is 1.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps distort ideal/ -o seen/ --hfov 100 --lens camera.yml",
+                  "shows a simulator's pictures as a calibrated camera sees them"},
+                 {"cps distort ideal/ -o seen/ --hfov 100 --lens_draw shape_prior --seed 7",
+                  "shows them through a drawn lens"}},
+    .see_also = {"cps undistort", "cps lens check"},
+};
 
 int cps_distort(const Arguments& arguments) {
   DistortRequest request;
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
-  if (!parse_options(arguments, manual, describe_all(request), positional, values)) return 0;
+  if (!parse_options(arguments, distort_manual, describe_all(request), positional, values)) return 0;
   po::notify(values);
   check_all(request, values);
   const ThreadLimit threads(values);

@@ -28,17 +28,22 @@ struct RelensRequest {
 po::options_description describe(RelensRequest& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("kitti", po::value(&r.kitti), "a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
-  add("pictures", po::value(&r.pictures), "a folder of pictures of one camera; may be given beside --kitti");
-  add("lens", po::value(&r.lens),
+  add("kitti", po::value(&r.kitti)->value_name("FOLDER"),
+      "a folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
+  add("pictures", po::value(&r.pictures)->value_name("FOLDER"),
+      "a folder of pictures of one camera; may be given beside --kitti");
+  add("lens", po::value(&r.lens)->value_name("FILE"),
       "file with the calibration of the --pictures, in any format that cps lens check reads");
-  add("lens-camera", po::value(&r.camera), "name of the camera in the --lens file, if it holds several");
-  add("out,o", po::value(&r.output)->required(), "folder for the dataset, which must not exist yet");
+  add("lens-camera", po::value(&r.camera)->value_name("NAME"),
+      "name of the camera in the --lens file, if it holds several");
+  add("out,o", po::value(&r.output)->value_name("FOLDER")->required(),
+      "folder for the dataset, which must not exist yet");
   add("lenses", po::value(&r.options.lenses)->default_value(r.options.lenses),
       "number of lenses for each camera, 1 to 10000");
-  add("lens_draw", po::value(&r.scheme)->default_value(r.scheme),
+  add("lens_draw", po::value(&r.scheme)->value_name("SCHEME")->default_value(r.scheme),
       "how lenses are drawn: sequential, shape_prior or real_lenses; cps help lens sample explains them");
-  add("size", po::value(&r.size), "size of the output, WIDTHxHEIGHT in pixels [half the pictures']");
+  add("size", po::value(&r.size)->value_name("WxH"),
+      "size of the output, WIDTHxHEIGHT in pixels [half the pictures']");
   add("narrowest", po::value(&r.options.narrowest)->default_value(r.options.narrowest),
       "smallest H-FOV of a crop before its lens, as a share of the widest that fits; above 0, at most 1");
   add("seed", po::value(&r.options.seed)->default_value(r.options.seed), "seed of the lenses");
@@ -83,26 +88,30 @@ std::string make_images(const CameraPictures& source, const Pinhole& straight,
   return names;
 }
 
-constexpr const char* manual =
-    R"(cps relens: make a test set from real pictures, through many lenses
+}  // namespace
 
-Usage: cps relens (--kitti FOLDER | --pictures FOLDER --lens CALIBRATION)
-                  -o DATASET [--lenses N] [--lens_draw SCHEME] [--size WxH]
-
+const Manual relens_manual{
+    .name = "cps relens",
+    .summary = "make a test set from real pictures, through many lenses",
+    .synopsis = {"(--kitti FOLDER | --pictures FOLDER --lens CALIBRATION) -o DATASET [--lenses N] "
+                 "[--lens_draw SCHEME] [--size WxH]"},
+    .description = R"(
 Straightens each picture by its known lens and warps it through drawn, certified
 lenses and their crops, so that real pictures get many exact labels. The result
 is a dataset for cps eval, whose images all belong to the test split.
 
 A lens is drawn again if the pictures are too coarse for it, or do not show
 enough.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps relens --pictures photos/ --lens camera.yml -o real --lenses 12 --size 348x128",
+                  "shows photos of one camera through twelve lenses"}},
+    .see_also = {"cps eval", "cps lens sample"},
+};
 
 int cps_relens(const Arguments& arguments) {
   RelensRequest request;
   po::variables_map values;
-  if (!parse_options(arguments, manual, describe(request), {}, values)) return 0;
+  if (!parse_options(arguments, relens_manual, describe(request), {}, values)) return 0;
   po::notify(values);
   request.options.lens.scheme = flag_value<LensScheme>("lens_draw", request.scheme);
   if (!request.size.empty()) request.options.size = picture_size("size", request.size);

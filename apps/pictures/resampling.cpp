@@ -15,25 +15,29 @@ namespace cps {
 po::options_description describe(ResamplingRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("input", po::value(&request.input)->required(),
+  add("input", po::value(&request.input)->value_name("PATH")->required(),
       "a picture, or a folder: all pictures in it and below it; its name alone will do, without --input");
-  add("out,o", po::value(&request.output)->required(), "the picture to write, or the folder for all of them");
-  add("lens", po::value(&request.lens_file),
+  add("out,o", po::value(&request.output)->value_name("PATH")->required(),
+      "the picture to write, or the folder for all of them");
+  add("lens", po::value(&request.lens_file)->value_name("FILE"),
       "file with the calibration of the lens, in any format that cps lens check reads");
-  add("lens-camera", po::value(&request.lens_camera),
+  add("lens-camera", po::value(&request.lens_camera)->value_name("NAME"),
       "name of the camera in the --lens file, if it holds several");
-  add("size", po::value(&request.size), "size of the output, WIDTHxHEIGHT in pixels [the calibration's]");
-  add("resampling", po::value(&request.resampling)->default_value(request.resampling),
+  add("size", po::value(&request.size)->value_name("WxH"),
+      "size of the output, WIDTHxHEIGHT in pixels [the calibration's]");
+  add("resampling", po::value(&request.resampling)->value_name("WORD")->default_value(request.resampling),
       "footprint, a filter over each output pixel's footprint; nearest, for label ids; depth, for distances "
       "along the optical axis");
-  add("encoding", po::value(&request.encoding)->default_value(request.encoding),
+  add("encoding", po::value(&request.encoding)->value_name("WORD")->default_value(request.encoding),
       "what the pixel values are: srgb, which is decoded before filtering and encoded after it; linear, for "
       "light and data; auto, srgb for integers and linear for half and float");
   add("sigma", po::value(&request.sigma_px)->default_value(request.sigma_px),
       "standard deviation of the filter, output pixels, 0.3 to 4");
-  add("label-format", po::value(&request.label_format)->default_value(request.label_format),
+  add("label-format",
+      po::value(&request.label_format)->value_name("FORMAT")->default_value(request.label_format),
       "format of the label: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
-  add("label", po::value(&request.label_file), "file to write the label to [beside the pictures]");
+  add("label", po::value(&request.label_file)->value_name("FILE"),
+      "file to write the label to [beside the pictures]");
   add_threads_option(options);
   return options;
 }

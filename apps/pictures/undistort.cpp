@@ -25,7 +25,7 @@ struct UndistortRequest : ResamplingRequest {
 po::options_description describe_all(UndistortRequest& request) {
   po::options_description options = describe(request);
   auto add = options.add_options();
-  add("keep", po::value(&request.keep)->default_value(request.keep),
+  add("keep", po::value(&request.keep)->value_name("WORD")->default_value(request.keep),
       "what the output shows: valid, the widest view without black; all, everything the input shows, with "
       "black around it; camera, the view of the calibration's own matrix, as OpenCV's undistort");
   add("hfov", po::value(&request.hfov_deg),
@@ -75,12 +75,13 @@ Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& s
   return fit.camera;
 }
 
-constexpr const char* manual =
-    R"(cps undistort: straighten pictures taken through a lens
+}  // namespace
 
-Usage: cps undistort INPUT -o OUTPUT --lens CALIBRATION
-                     [--keep valid|all|camera | --hfov DEG]
-
+const Manual undistort_manual{
+    .name = "cps undistort",
+    .summary = "straighten pictures taken through a lens",
+    .synopsis = {"INPUT -o OUTPUT --lens CALIBRATION [--keep valid|all|camera | --hfov DEG]"},
+    .description = R"(
 Removes the distortion of pictures and writes the label of the pinhole camera
 that they then have: straight lines of the world become straight.
 
@@ -89,16 +90,17 @@ camera. What the input does not show is black (0).
 
 Pixel type, channels and file format stay as they are. If pictures of a folder
 fail, they are named, the others are written, and the exit status is 1.
-)";
-
-}  // namespace
+)",
+    .examples = {{"cps undistort photos/ -o straight/ --lens camera.yml", "straightens a folder of photos"}},
+    .see_also = {"cps distort", "cps lens check"},
+};
 
 int cps_undistort(const Arguments& arguments) {
   UndistortRequest request;
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
-  if (!parse_options(arguments, manual, describe_all(request), positional, values)) return 0;
+  if (!parse_options(arguments, undistort_manual, describe_all(request), positional, values)) return 0;
   po::notify(values);
   check_all(request, values);
   const ThreadLimit threads(values);

@@ -44,7 +44,7 @@ void describe_light(LightRequest& request, po::options_description_easy_init add
   const auto text = [](std::optional<std::string>& target) {
     return po::value<std::string>()->notifier([&target](const std::string& value) { target = value; });
   };
-  add("sky", text(request.sky),
+  add("sky", text(request.sky)->value_name("SKY"),
       "clear, overcast, a radiance (kcd/m2, one number or R,G,B), or an equirectangular .hdr or .exr "
       "[clear]");
   add("sky-azimuth", number(day.sky_image_azimuth_deg),
@@ -53,7 +53,7 @@ void describe_light(LightRequest& request, po::options_description_easy_init add
   add("turbidity", number(day.turbidity), "haze of a clear sky: 2 very clear, 3 clear, 6 hazy");
   add("sun-elevation", number(day.sun_elevation_deg), "height of the sun, degrees above the horizon");
   add("sun-azimuth", number(day.sun_azimuth_deg), "direction of the sun, degrees clockwise from north (-z)");
-  add("sun-irradiance", text(request.sun_irradiance),
+  add("sun-irradiance", text(request.sun_irradiance)->value_name("LIGHT"),
       "light of the sun on a surface that faces it, klx, one number or R,G,B; 0: no sun [as the clear sky's "
       "model says]");
   add("sun-diameter", number(day.sun_angular_diameter_deg), "angular diameter of the sun, degrees");

@@ -109,18 +109,31 @@ void show_progress(RenderOptions& options) {
 
 }  // namespace
 
+const Manual render_manual{
+    .name = "cps render",
+    .summary = "render one view of a glTF scene",
+    .synopsis = {"SCENE -o FILE [--hfov DEG] [--size WxH] [--lens CALIBRATION] [--aov LIST]",
+                 "SCENE --replay X,Y,S", "SCENE --reference FILE.exr"},
+    .description = R"(
+Renders one view of a glTF scene by path tracing, through a lens if one is
+given. A .png is exposed and developed as by a camera; an .exr is linear and may
+have further layers, such as depth and normals.
+
+Instead, --replay prints what happens along a single light path, and --reference
+prints the error against another render while the picture refines.
+)",
+    .examples = {{"cps render city.glb -o view.png --hfov 90 --size 960x540", "renders from the first lane"},
+                 {"cps render city.glb -o view.exr --lens k1=-0.2,k2=0.03 --aov depth,normal,instance",
+                  "renders through a lens, with three layers"}},
+    .see_also = {"cps city", "cps generate"},
+};
+
 int cps_render(const Arguments& arguments) {
   RenderRequest request;
   po::positional_options_description positional;
   positional.add("scene", 1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     R"(cps render SCENE -o FILE
-Renders one view of a glTF scene by path tracing, through a lens if one is given.
-)",
-                     describe(request), positional, values)) {
-    return 0;
-  }
+  if (!parse_options(arguments, render_manual, describe(request), positional, values)) return 0;
   po::notify(values);
   finish(request);
   const WantedLayers wanted = wanted_layers(request);

@@ -25,18 +25,22 @@ po::typed_value<T>* with_default(T& target) {
 }
 
 void describe_camera(RenderRequest& request, po::options_description_easy_init add) {
-  add("size", optional(request.size), "WIDTHxHEIGHT, pixels [the --lens file's, or 1392x512]");
-  add("camera", optional(request.camera), "take pose and field of view of a glTF camera: its name or number");
+  add("size", optional(request.size)->value_name("WxH"),
+      "WIDTHxHEIGHT, pixels [the --lens file's, or 1392x512]");
+  add("camera", optional(request.camera)->value_name("NAME"),
+      "take pose and field of view of a glTF camera: its name or number");
   add("hfov", optional(request.hfov_deg),
       "horizontal field of view, degrees; with coefficients as --lens, before the crop [the --camera's, or "
       "70]");
-  add("position", optional(request.position),
+  add("position", optional(request.position)->value_name("X,Y,Z"),
       "X,Y,Z of the camera, metres, y up [the first lane, or a view of the whole scene]");
-  add("look-at", optional(request.look_at), "X,Y,Z of the point in the middle of the picture, metres");
-  add("lens", optional(request.lens),
+  add("look-at", optional(request.look_at)->value_name("X,Y,Z"),
+      "X,Y,Z of the point in the middle of the picture, metres");
+  add("lens", optional(request.lens)->value_name("LENS"),
       "a calibration file, or coefficients k1=..,k2=..,k3=..,p1=..,p2=..: renders an undistorted master and "
       "warps it, as for a dataset");
-  add("lens-camera", optional(request.lens_camera), "name of the camera in a --lens file with several");
+  add("lens-camera", optional(request.lens_camera)->value_name("NAME"),
+      "name of the camera in a --lens file with several");
   add("lens-in-camera", po::bool_switch(&request.lens_in_camera),
       "trace each ray through the lens instead of warping a master: exact, but slower to converge");
 }
@@ -46,9 +50,9 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
   add("samples", with_default(render.samples), "light paths traced per pixel; more: less noise");
   add("max_shaded_vertices", with_default(render.max_shaded_vertices),
       "surface points at which a path gathers light");
-  add("filter", with_default(request.filter),
+  add("filter", with_default(request.filter)->value_name("WORD"),
       "how a pixel weighs the light around it: box, tent or gaussian");
-  add("materials", with_default(request.materials),
+  add("materials", with_default(request.materials)->value_name("WORD"),
       "all, or diffuse: base colours only, to compare with other renderers");
   add("seed", with_default(render.seed), "seed of the random choice of paths");
   add("memory", with_default(request.memory_gib),
@@ -59,12 +63,12 @@ void describe_output(RenderRequest& request, po::options_description_easy_init a
   add("out,o", path_value(request.output), "file to write: .png (8-bit sRGB) or .exr (linear, kcd/m2)");
   add("exposure", optional(request.exposure_ev),
       "exposure of a .png, stops: its value is radiance (kcd/m2) times 2^EV [metered on the picture]");
-  add("aov", optional(request.aov),
+  add("aov", optional(request.aov)->value_name("LIST"),
       "add layers to the .exr: all, or a list of depth,distance,normal,albedo,position,instance,material,"
       "variance");
-  add("replay", optional(request.replay),
+  add("replay", optional(request.replay)->value_name("X,Y,S"),
       "X,Y,S: print the path of sample S of pixel X,Y vertex by vertex instead of rendering");
-  add("reference", optional(request.reference),
+  add("reference", optional(request.reference)->value_name("FILE"),
       "an .exr of the same view: print the error against it as CSV while the picture refines");
 }
 

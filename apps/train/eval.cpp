@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "apps/options.h"
+#include "apps/train/summaries.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "dataset/exchange/calibration_file.h"
@@ -24,15 +25,17 @@ struct Request {
 po::options_description describe(Request& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("model", po::value(&r.model)->required(), "model folder");
-  add("data", po::value(&r.data), "dataset folder");
-  add("part", po::value(&r.part)->default_value(r.part), "part of the dataset: train, val or test");
-  add("kitti", po::value(&r.kitti),
+  add("model", po::value(&r.model)->value_name("MODEL")->required(), "model folder");
+  add("data", po::value(&r.data)->value_name("DATASET"), "dataset folder");
+  add("part", po::value(&r.part)->value_name("PART")->default_value(r.part),
+      "part of the dataset: train, val or test");
+  add("kitti", po::value(&r.kitti)->value_name("FOLDER"),
       "instead of --data: folder of KITTI raw data, not rectified, with calib_cam_to_cam.txt");
-  add("pictures", po::value(&r.pictures),
+  add("pictures", po::value(&r.pictures)->value_name("FOLDER"),
       "instead of --data: folder of pictures taken by one camera, with --lens");
-  add("lens", po::value(&r.lens), "calibration file for --pictures, in any format that cps lens check reads");
-  add("camera", po::value(&r.camera), "name of the camera in the --lens file");
+  add("lens", po::value(&r.lens)->value_name("FILE"),
+      "calibration file for --pictures, in any format that cps lens check reads");
+  add("camera", po::value(&r.camera)->value_name("NAME"), "name of the camera in the --lens file");
   add("robustness", po::bool_switch(&r.options.robustness),
       "also measure on blurred, noisy and otherwise corrupted images");
   add("bootstrap", po::value(&r.options.resamples)->default_value(r.options.resamples),
@@ -41,9 +44,10 @@ po::options_description describe(Request& r) {
       "seed of the bootstrap and of the added noise");
   add("skip-bad-images", po::bool_switch(&r.options.skip_bad_images),
       "leave out images that cannot be read, and name them, instead of stopping");
-  add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
+  add("device", po::value(&r.device)->value_name("DEVICE")->default_value(r.device),
+      "where to compute: cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
-  add("out,o", po::value(&r.out),
+  add("out,o", po::value(&r.out)->value_name("FILE"),
       "JSON file with all results; an HTML page is written beside it [MODEL/eval.json, eval_kitti.json or eval_pictures.json]");
   return options;
 }
@@ -70,17 +74,23 @@ fs::path output_file(const Request& r) {
 
 }  // namespace
 
+const Manual eval_manual{
+    .name = "cps eval",
+    .summary = eval_line.text,
+    .synopsis = {"--model MODEL (--data DATASET | --kitti FOLDER | --pictures FOLDER --lens CALIBRATION)"},
+    .description = R"(
+Measures the errors of a trained network beside those of two baselines that
+ignore the image. Prints a table and writes a JSON file and an HTML page.
+)",
+    .examples = {{"cps eval --data data --model model", "measures on the test images of a dataset"},
+                 {"cps eval --kitti kitti/2011_09_26 --model model", "measures on KITTI's raw pictures"}},
+    .see_also = {"cps train", "cps predict", "cps relens"},
+};
+
 int eval_verb(const Arguments& arguments) {
   Request request;
   po::variables_map values;
-  if (!parse_options(
-          arguments,
-          R"(cps eval --model MODEL (--data DATASET | --kitti FOLDER | --pictures FOLDER --lens FILE)
-Measures the errors of a trained network beside those of two baselines that ignore the image. Prints a table and writes
-a JSON file and an HTML page.
-)",
-          describe(request), {}, values))
-    return 0;
+  if (!parse_options(arguments, eval_manual, describe(request), {}, values)) return 0;
   po::notify(values);
   if (const std::string fault = request.options.fault(); !fault.empty()) throw po::error(fault);
   const Device device = usage_checked([&] { return device_from_string(request.device); });

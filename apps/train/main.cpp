@@ -5,7 +5,9 @@
 #include <exception>
 #include <iostream>
 
+#include "apps/manual/help_text.h"
 #include "apps/train/verbs.h"
+#include "apps/version.h"
 
 namespace {
 
@@ -31,29 +33,38 @@ void restart_with_settings(char** argv) {
   if (is_new) execv("/proc/self/exe", argv);  // if it fails: slower, but correct
 }
 
-int usage(std::ostream& out, int status) {
-  out << R"(cps-train: the trainer of cps (cps train, eval and predict run it)
+const std::vector<cps::Verb>& verbs() {
+  static const std::vector<cps::Verb> table = {cps::verb_of(cps::train_manual, cps::train_verb),
+                                               cps::verb_of(cps::eval_manual, cps::eval_verb),
+                                               cps::verb_of(cps::predict_manual, cps::predict_verb)};
+  return table;
+}
 
-Usage: cps-train VERB [options]; cps-train VERB --help lists the options.
-
-  train     train a network on a dataset
-  eval      measure a trained network on a dataset
-  predict   run a trained network on images
-
-Exit status: 0 done, 1 failed, 2 wrong usage.
-)";
-  return status;
+const cps::Manual& manual() {
+  static const cps::Manual text{
+      .name = "cps-train",
+      .summary = "the trainer of cps (cps train, eval and predict run it)",
+      .synopsis = {"VERB [options]", "help", "--version"},
+      .description = "cps-train VERB --help lists the options of a verb.",
+      .verbs = cps::lines_of(verbs()),
+  };
+  return text;
 }
 
 int run(const cps::Arguments& words) {
-  if (words.empty()) return usage(std::cerr, 2);
-  const cps::Arguments arguments(words.begin() + 1, words.end());
-  if (words[0] == "train") return cps::train_verb(arguments);
-  if (words[0] == "eval") return cps::eval_verb(arguments);
-  if (words[0] == "predict") return cps::predict_verb(arguments);
-  if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") return usage(std::cout, 0);
+  if (words.empty()) {
+    std::cerr << cps::help_text(manual(), {});
+    return 2;
+  }
+  if (cps::print_pages(words, manual(), verbs())) return 0;
+  for (const cps::Verb& verb : verbs())
+    if (words[0] == verb.name) return verb.run(cps::Arguments(words.begin() + 1, words.end()));
+  if (words[0] == "help" || words[0] == "--help" || words[0] == "-h") {
+    std::cout << cps::help_text(manual(), {});
+    return 0;
+  }
   if (words[0] == "--version") {
-    std::cout << "cps-train " CPS_VERSION "\n";
+    std::cout << "cps-train " CPS_VERSION " (commit " << cps::source_commit << ")\n";
     return 0;
   }
   std::cerr << "cps-train: '" << words[0] << "' is not a verb; cps-train help lists them\n";

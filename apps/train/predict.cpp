@@ -5,6 +5,7 @@
 
 #include "apps/options.h"
 #include "apps/pictures/picture_file.h"
+#include "apps/train/summaries.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "dataset/exchange/calibration_file.h"
@@ -30,21 +31,23 @@ struct Request {
 po::options_description describe(Request& r) {
   po::options_description options("Options");
   auto add = options.add_options();
-  add("model", po::value(&r.model)->required(), "model folder");
-  add("image", po::value(&r.images), "pictures, or folders of pictures; --image itself may be omitted");
-  add("json", po::value(&r.json), "also write the predictions to this JSON file");
-  add("cameras", po::value(&r.cameras),
+  add("model", po::value(&r.model)->value_name("MODEL")->required(), "model folder");
+  add("image", po::value(&r.images)->value_name("PATH"),
+      "pictures, or folders of pictures; --image itself may be omitted");
+  add("json", po::value(&r.json)->value_name("FILE"), "also write the predictions to this JSON file");
+  add("cameras", po::value(&r.cameras)->value_name("FOLDER"),
       "folder for calibration files, one per picture, each with a certified lens");
-  add("format", po::value(&r.format)->default_value(r.format),
+  add("format", po::value(&r.format)->value_name("FORMAT")->default_value(r.format),
       "format of the calibration files: cps, opencv-yaml, opencv-xml, colmap, ros, kitti, kalibr, nerfstudio");
-  add("undistort", po::value(&r.undistorted),
+  add("undistort", po::value(&r.undistorted)->value_name("FOLDER"),
       "folder for undistorted pictures, made with the predicted lens and without black borders");
-  add("export", po::value(&r.exported_as),
+  add("export", po::value(&r.exported_as)->value_name("FORMAT"),
       "instead of predicting, write the network in the format of other programs: onnx");
-  add("out,o", po::value(&r.out), "file that --export writes [MODEL/model.onnx]");
+  add("out,o", po::value(&r.out)->value_name("FILE"), "file that --export writes [MODEL/model.onnx]");
   add("variants", po::value(&r.options.variants)->default_value(r.options.variants),
       "variants of each picture whose predictions give the spread; 0: no spread");
-  add("device", po::value(&r.device)->default_value(r.device), "where to compute: cpu or cuda");
+  add("device", po::value(&r.device)->value_name("DEVICE")->default_value(r.device),
+      "where to compute: cpu or cuda");
   add("threads", po::value(&r.threads)->default_value(r.threads), "number of threads; 0 means one per core");
   return options;
 }
@@ -94,20 +97,30 @@ void write_undistorted(const ImagePrediction& p, const fs::path& folder) {
 
 }  // namespace
 
+const Manual predict_manual{
+    .name = "cps predict",
+    .summary = predict_line.text,
+    .synopsis = {"--model MODEL [--json FILE] [--cameras FOLDER] [--undistort FOLDER] IMAGE...",
+                 "--model MODEL --export onnx [-o FILE]"},
+    .description = R"(
+Runs a trained network on pictures: prints H-FOV, distortion and principal
+point, and the true values if a calibration.json lies beside the picture.
+
+Calibration files and undistorted pictures use a certified lens: if the
+predicted one is not certified, its distortion is reduced until it is.
+)",
+    .examples = {{"cps predict --model model photo.jpg", "prints what the network sees in one picture"},
+                 {"cps predict --model model --cameras cameras --undistort straight photos",
+                  "writes a calibration file and a straightened picture for each one of a folder"}},
+    .see_also = {"cps train", "cps eval", "cps undistort"},
+};
+
 int predict_verb(const Arguments& arguments) {
   Request request;
   po::positional_options_description positional;
   positional.add("image", -1);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     R"(cps predict --model MODEL IMAGE...
-cps predict --model MODEL --export onnx [-o FILE]
-Runs a trained network on images: prints H-FOV, distortion and principal point, and the true values if a calibration.json
-lies beside the image. Calibration files and undistorted pictures use a certified lens: if the predicted one is not
-certified, its distortion is reduced until it is. The second form writes the network for other programs.
-)",
-                     describe(request), positional, values))
-    return 0;
+  if (!parse_options(arguments, predict_manual, describe(request), positional, values)) return 0;
   po::notify(values);
   check(request);
   const CalibrationFormat format =

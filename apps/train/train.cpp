@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "apps/options.h"
+#include "apps/train/summaries.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "trainer/model/train_presets.h"
@@ -35,7 +36,7 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
   flag(options, "arch", o.architecture,
        "architecture: resnet18, resnet34, resnet50, resnet101 or resnet34-nopool");
   options.add_options()(
-      "init", po::value(&o.initial_weights),
+      "init", po::value(&o.initial_weights)->value_name("FILE"),
       "start from the weights in this file: a .pth of torchvision's ResNets, or the weights.pt of a model");
   flag(options, "size-features", o.size_features, "give the network the size of the original image");
   flag(options, "sobel", o.edge_channel, "give the network each image's Sobel edges as a second channel");
@@ -67,7 +68,7 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
        "train on the masters kept in the dataset, each with a new lens in every epoch");
   flag(options, "online-zoom", o.online_zoom,
        "online lenses: largest factor between a drawn focal length and that of the master's set");
-  options.add_options()("teacher", po::value(&o.teacher),
+  options.add_options()("teacher", po::value(&o.teacher)->value_name("MODEL"),
                         "model folder of a trained network to learn from, too (distillation)");
   flag(options, "teacher-weight", o.teacher_weight,
        "weight of the teacher in the loss; the labels have the rest");
@@ -79,14 +80,33 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
   flag(options, "threads", o.threads, "number of threads; 0 means one per core");
   flag(options, "minutes", o.minutes,
        "time budget: fewer epochs and a shorter schedule if needed to stay within it; 0: none");
-  options.add_options()("milestones", po::value<std::vector<double>>(&o.milestones)->multitoken(),
+  options.add_options()("milestones",
+                        po::value<std::vector<double>>(&o.milestones)->value_name("NUMBERS")->multitoken(),
                         "fractions of the epochs at which the learning rate decays [0.6 0.85]")(
-      "outputs", po::value<std::vector<std::string>>(&o.outputs)->multitoken(),
+      "outputs", po::value<std::vector<std::string>>(&o.outputs)->value_name("NAMES")->multitoken(),
       "outputs to learn, from fov k1 k2 k3 p1 p2 cx cy [all]");
   return options;
 }
 
 }  // namespace
+
+const Manual train_manual{
+    .name = "cps train",
+    .summary = train_line.text,
+    .synopsis = {"--data DATASET --out MODEL [--preset NAME] [--KEY VALUE ...]",
+                 "--data DATASET --out MODEL --resume"},
+    .description = R"(
+Trains a network on the train images of a dataset and keeps the weights that do
+best on its val images. After an interruption, --resume continues.
+
+cps train, cps eval and cps predict run the program cps-train, which is
+installed beside cps and is the only one that needs LibTorch; cps-train train
+does the same as cps train. Several processes, started by srun, train together.
+)",
+    .examples = {{"cps train --data data --out model --preset demo", "trains for three minutes"},
+                 {"cps train --data data --out model --resume", "continues the training of model"}},
+    .see_also = {"cps eval", "cps predict", "cps generate"},
+};
 
 int train_verb(const Arguments& arguments) {
   TrainOptions options;
@@ -95,23 +115,21 @@ int train_verb(const Arguments& arguments) {
   bool with_onnx = true;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
 
-  po::options_description files("Files");
-  files.add_options()("data", po::value<std::string>(&data)->required(), "dataset folder")(
-      "out,o", po::value<std::string>(&out)->required(), "model folder, created if missing")(
-      "preset", po::value<std::string>(), (presets + "flags below override it").c_str())(
-      "device", po::value<std::string>(&device)->default_value("cpu"), "where to compute: cpu or cuda")(
-      "resume", po::bool_switch(), "continue the training of the model in --out, with its own options");
+  po::options_description files("Options");
+  files.add_options()("data", po::value<std::string>(&data)->value_name("DATASET")->required(),
+                      "dataset folder")("out,o",
+                                        po::value<std::string>(&out)->value_name("MODEL")->required(),
+                                        "model folder, created if missing")(
+      "preset", po::value<std::string>()->value_name("NAME"), (presets + "flags below override it").c_str())(
+      "device", po::value<std::string>(&device)->value_name("DEVICE")->default_value("cpu"),
+      "where to compute: cpu or cuda")("resume", po::bool_switch(),
+                                       "continue the training of the model in --out, with its own options");
   flag(files, "onnx", with_onnx, "at the end, also write the network as model.onnx");
   const po::options_description how = training_flags(options, words);
-  po::options_description all;
-  all.add(files).add(how);
+  po::options_description all = files;
+  all.add(how);
   po::variables_map values;
-  if (!parse_options(arguments,
-                     R"(cps train --data DATASET --out MODEL
-Trains a network on the train images of a dataset and keeps the weights that do best on its val images.
-)",
-                     all, {}, values))
-    return 0;
+  if (!parse_options(arguments, train_manual, all, {}, values)) return 0;
 
   const bool resume = values["resume"].as<bool>();
   if (resume)

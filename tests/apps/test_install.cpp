@@ -21,6 +21,22 @@ std::size_t files_in(const fs::path& folder) {
   return count;
 }
 
+/// Man pages, completion, batch scripts and what Debian asks of a package are in their places.
+void check_shared_files(const fs::path& share) {
+  for (const char* file :
+       {"man/man1/cps.1.gz", "man/man1/cps-generate.1.gz", "man/man1/cps-lens-check.1.gz",
+        "man/man1/cps-slurm.1.gz", "bash-completion/completions/cps", "zsh/vendor-completions/_cps",
+        "cps/slurm/cps-array.sbatch", "cps/kubernetes/cps-generate.yaml", "cps/kubernetes/cps-finish.yaml",
+        "cps/aws-batch/job-definition.json", "cps/aws-batch/generate.json", "cps/aws-batch/finish.json",
+        "doc/cps/copyright", "doc/cps/changelog.gz"}) {
+    INFO(file);
+    CHECK(fs::exists(share / file));
+  }
+  CHECK(!fs::exists(share / "cps/slurm/cps-slurm.1"));
+  CHECK(run("zcat " + (share / "man/man1/cps-generate.1.gz").string() + " | grep -F 'max_zoom'") == 0);
+  CHECK(run("bash -n " + (share / "bash-completion/completions/cps").string()) == 0);
+}
+
 /// The installed program finds a shipped recipe and its rig by name and makes a dataset.
 void check_program(const fs::path& program, const fs::path& folder) {
   const std::string scene = write_street_gltf(folder).string(), out = (folder / "dataset").string();
@@ -42,7 +58,7 @@ TEST_CASE("what is installed works alone, and uninstalling leaves nothing", "[sl
   check_program(prefix / "bin" / "cps", folder.path);
   CHECK(run((prefix / "bin" / "cps-slurm").string() +
             " 4 -- --recipe demo 2>&1 | grep -e '--out is missing'") == 0);
-  CHECK(fs::exists(prefix / "share" / "cps" / "slurm" / "cps-array.sbatch"));
+  check_shared_files(prefix / "share");
   REQUIRE(run("cmake -DBUILD=" CPS_BUILD " -P " CPS_SOURCE "/cmake/uninstall.cmake") == 0);
   CHECK(files_in(prefix) == 0);
 }
@@ -56,4 +72,11 @@ TEST_CASE("the .deb of a render node names what it needs, no LibTorch, and works
   REQUIRE(run("dpkg-deb --field " + deb + " Depends | grep torch") != 0);
   REQUIRE(run("dpkg-deb -x " + deb + " " + f + "/root") == 0);
   check_program(folder.path / "root" / "usr" / "bin" / "cps", folder.path);
+  check_shared_files(folder.path / "root" / "usr" / "share");
+  CHECK(run("dpkg-deb --field " + deb + " Maintainer | grep -E '^The cps contributors <[^<> ]+@[^<> ]+>$'") ==
+        0);
+  CHECK(run("dpkg-deb --field " + deb + " Description | grep -E '^ many Brown-Conrady lenses'") == 0);
+  CHECK(run("zcat " + f +
+            "/root/usr/share/doc/cps/changelog.gz | dpkg-parsechangelog -l - -S Version | grep -x 0.1.0") ==
+        0);
 }

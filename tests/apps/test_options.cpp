@@ -17,7 +17,7 @@ po::variables_map parsed(const std::vector<std::string>& arguments) {
   positional.add("input", -1);
   po::variables_map values;
   // Without REQUIRE: Catch would report what parse_options() throws instead of passing it on.
-  if (!parse_options(arguments, "", options, positional, values)) FAIL("help was asked for");
+  if (!parse_options(arguments, Manual{}, options, positional, values)) FAIL("help was asked for");
   return values;
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("a path is read as a whole") {
   po::options_description options("Options");
   options.add_options()("out,o", path_value(path), "");
   po::variables_map values;
-  REQUIRE(parse_options({"--out", "mein Ordner/Straße 1.glb"}, "", options, {}, values));
+  REQUIRE(parse_options({"--out", "mein Ordner/Straße 1.glb"}, Manual{}, options, {}, values));
   po::notify(values);
   CHECK(path == "mein Ordner/Straße 1.glb");
 }
