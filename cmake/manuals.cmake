@@ -1,5 +1,6 @@
 # Man pages and completion, which the programs write themselves from their options (apps/manual/pages.h), in a folder
 # laid out as it is installed.
+include(GNUInstallDirs)
 add_custom_target(cps_manuals ALL)
 
 # cps_manuals_of(PROGRAM COMPONENT [page.1 …]): those of a program, and pages that were written by hand.
@@ -10,8 +11,8 @@ function(cps_manuals_of program component)
             -P ${CMAKE_SOURCE_DIR}/cmake/write_manuals.cmake
     DEPENDS ${program} ${ARGN} ${CMAKE_SOURCE_DIR}/cmake/write_manuals.cmake
     COMMENT "Man pages and completion of ${program}" VERBATIM)
-  add_custom_target(${program}_manuals DEPENDS ${folder}/written)
-  add_dependencies(cps_manuals ${program}_manuals)
+  add_custom_target(cps_manuals_${component} DEPENDS ${folder}/written)
+  add_dependencies(cps_manuals cps_manuals_${component})
   install(DIRECTORY ${folder}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT ${component})
 endfunction()
 
