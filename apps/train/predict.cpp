@@ -108,10 +108,15 @@ point, and the true values if a calibration.json lies beside the picture.
 
 Calibration files and undistorted pictures use a certified lens: if the
 predicted one is not certified, its distortion is reduced until it is.
+
+The second form predicts nothing: it writes the network as a file that other
+programs can run. Its metadata say what its inputs and outputs are.
 )",
     .examples = {{"cps predict --model model photo.jpg", "prints what the network sees in one picture"},
                  {"cps predict --model model --cameras cameras --undistort straight photos",
-                  "writes a calibration file and a straightened picture for each one of a folder"}},
+                  "writes a calibration file and a straightened picture for each one of a folder"},
+                 {"cps predict --model model --export onnx -o lens.onnx",
+                  "writes the network for ONNX Runtime and its like"}},
     .see_also = {"cps train", "cps eval", "cps undistort"},
 };
 
