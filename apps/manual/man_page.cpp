@@ -142,7 +142,7 @@ std::string troff_text(const std::string& text) {
 
 std::string man_page(const Manual& manual, const std::vector<OptionGroup>& options) {
   const std::string name = page_name(manual.name);
-  return ".TH \"" + upper(name) + "\" 1 \"\" \"cps " CPS_VERSION "\" \"cps\"\n.ad l\n.nh\n" +  //
+  return ".TH \"" + upper(name) + "\" 1 \"\" \"cps " CPS_VERSION "\" \"cps\"\n.ad l\n.nr HY 0\n" +  //
          ".SH NAME\n" + literal(name) + " \\- " + troff_text(manual.summary) + "\n" + synopsis(manual) +
          description(manual) + list("VERBS", manual.verbs) + options_text(options) +
          list("EXIT STATUS", manual.exit_status) + list("EXAMPLES", manual.examples) + see_also(manual);
