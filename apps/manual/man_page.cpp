@@ -102,9 +102,9 @@ std::string options_text(const std::vector<OptionGroup>& groups) {
       text += ".TP\n";
       if (option.letter) text += bold(std::string{'-', option.letter}) + ", ";
       text += bold("--" + option.name);
-      if (!option.placeholder.empty()) text += " " + italic(option.placeholder);
-      text += "\n" + troff_text(option.help);
-      if (!option.default_text.empty()) text += " [" + troff_text(option.default_text) + "]";
+      if (!option.placeholder.empty()) text.append(" ").append(italic(option.placeholder));
+      text.append("\n").append(troff_text(option.help));
+      if (!option.default_text.empty()) text.append(" [").append(troff_text(option.default_text)).append("]");
       text += "\n";
     }
   }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,6 +22,14 @@ inline std::string output_of(const std::string& command) {
   INFO(command << "\n" << output);
   REQUIRE(status == 0);
   return output;
+}
+
+/// The same of a program, which is asked once: cps-train takes a second to start.
+inline const std::string& program_output(const std::string& program, const std::string& arguments) {
+  static std::map<std::string, std::string> known;
+  const std::string command = program + " " + arguments;
+  if (known.count(command) == 0) known[command] = output_of(command);
+  return known[command];
 }
 
 inline std::vector<std::string> lines_of(const std::string& text) {
@@ -40,7 +49,7 @@ inline std::vector<std::string> built_programs() {
 
 /// Every page that the program prints, by name.
 inline std::vector<std::string> pages_of(const std::string& program) {
-  return lines_of(output_of(program + " --man"));
+  return lines_of(program_output(program, "--man"));
 }
 
 /// A page's verb as it is typed: "lens check" for cps-lens-check.
@@ -54,7 +63,7 @@ inline std::string verb_of_page(const std::string& page) {
 /// The long options that a verb's help lists, with their dashes.
 inline std::vector<std::string> options_in_help(const std::string& program, const std::string& verb) {
   std::vector<std::string> options;
-  for (const std::string& line : lines_of(output_of(program + " " + verb + " --help"))) {
+  for (const std::string& line : lines_of(program_output(program, verb + " --help"))) {
     const bool has_letter = line.size() > 5 && line.starts_with("  -") && line[4] == ',';
     if (!has_letter && !line.starts_with("      --")) continue;
     const std::size_t start = line.find("--");

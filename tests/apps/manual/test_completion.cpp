@@ -19,7 +19,7 @@ std::string name_of(const std::string& program) {
 /// The scripts of all programs in a folder, as they are installed, with a few files to complete.
 void write_scripts(const fs::path& folder) {
   for (const std::string& program : built_programs())
-    write_file(folder / name_of(program), output_of(program + " --completion bash"));
+    write_file(folder / name_of(program), program_output(program, "--completion bash"));
   write_file(folder / "my scene.glb", std::string("x"));
   write_file(folder / "other.png", std::string("x"));
   fs::create_directories(folder / "data");
@@ -117,7 +117,7 @@ TEST_CASE("zsh reads the completion and has every option with its help") {
   }
   const TemporaryFolder temporary;
   for (const std::string& program : built_programs()) {
-    const std::string script = output_of(program + " --completion zsh");
+    const std::string script = program_output(program, "--completion zsh");
     const fs::path file = temporary.path / ("_" + name_of(program));
     write_file(file, script);
     CHECK_THAT(script, Catch::StartsWith("#compdef " + name_of(program) + "\n"));

@@ -36,7 +36,7 @@ TEST_CASE("every verb has a man page, which man shows without a warning and with
     for (const std::string& page : pages_of(program)) {
       INFO(page);
       const std::filesystem::path file = folder.path / (page + ".1");
-      write_file(file, output_of(program + " --man " + page));
+      write_file(file, program_output(program, "--man " + page));
       CHECK(output_of("LC_ALL=C.UTF-8 man --warnings=w -E UTF-8 -l -Tutf8 -Z " + file.string() +
                       " >/dev/null") == "");
       const std::string text = rendered(file);
@@ -77,7 +77,7 @@ TEST_CASE("the pages are those of all verbs, and name only pages that exist") {
   const std::regex reference(R"(\\fB(cps[^\\]*(?:\\-[^\\]*)*)\\fR\(1\))");
   for (const std::string& program : built_programs())
     for (const std::string& page : pages_of(program)) {
-      const std::string text = output_of(program + " --man " + page);
+      const std::string text = program_output(program, "--man " + page);
       for (std::sregex_iterator match(text.begin(), text.end(), reference), end; match != end; ++match) {
         const std::string named = std::regex_replace((*match)[1].str(), std::regex(R"(\\-)"), "-");
         INFO(page << " names " << named);
@@ -102,7 +102,7 @@ TEST_CASE("the examples of the pages use options that exist") {
     for (const std::string& page : pages_of(program)) {
       if (page == "cps") continue;
       const std::string verb = verb_of_page(page);
-      const std::string help = output_of(program + " " + verb + " --help");
+      const std::string help = program_output(program, verb + " --help");
       const std::size_t examples = help.find("\nExamples:\n");
       INFO(page);
       if (page != "cps-lens") REQUIRE(examples != help.npos);
