@@ -124,18 +124,18 @@ TEST_CASE("a folder with another export, finished or begun, is refused with the 
   CHECK_THROWS_WITH(exported.write(begun, {}), Catch::Contains("not \"webdataset\""));
   edit_column(exported.root / exported.plan.groups[0].folder / "frames.csv", "street",
               [](const std::string& street) { return street + "x"; });
-  CHECK_THROWS_WITH(exported.write(begun, {.target = ExportTarget::kitti}), Catch::Contains("dataset_sha256"));
+  CHECK_THROWS_WITH(exported.write(begun, {.target = ExportTarget::kitti}),
+                    Catch::Contains("dataset_sha256"));
 }
 
 TEST_CASE("two processes do not write one export at once") {
   const Exported exported;
-  CHECK_THROWS_AS(
-      exported.write(exported.out, {},
-                     [&](std::int64_t, const std::string&) {
-                       CHECK_THROWS_AS(exported.write(exported.out, {}), HeldByAnother);
-                       throw Stopped{};
-                     }),
-      Stopped);
+  CHECK_THROWS_AS(exported.write(exported.out, {},
+                                 [&](std::int64_t, const std::string&) {
+                                   CHECK_THROWS_AS(exported.write(exported.out, {}), HeldByAnother);
+                                   throw Stopped{};
+                                 }),
+                  Stopped);
 }
 
 TEST_CASE("unfinished and damaged datasets are refused in one line, and nothing is written") {

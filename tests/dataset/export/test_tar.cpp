@@ -1,6 +1,6 @@
-#include "dataset/export/tar.h"
-
 #include <catch2/catch.hpp>
+
+#include "dataset/export/tar.h"
 
 using namespace cps;
 
@@ -23,7 +23,9 @@ TEST_CASE("a tar's header has each field where POSIX puts it, and the sum of its
   CHECK(tar.substr(124, 12) == std::string("00000001750\0", 12));  // 1000 in octal
   CHECK(tar.substr(136, 12) == std::string("00000000000\0", 12));
   CHECK(tar[156] == '0');
-  CHECK(tar.substr(257, 8) == std::string("ustar\0" "00", 8));
+  CHECK(tar.substr(257, 8) == std::string("ustar\0"
+                                          "00",
+                                          8));
   int sum = 0;
   for (int i = 0; i < 512; ++i) sum += i >= 148 && i < 156 ? ' ' : static_cast<unsigned char>(tar[i]);
   CHECK(std::stoi(tar.substr(148, 6), nullptr, 8) == sum);
