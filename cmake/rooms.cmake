@@ -45,11 +45,14 @@ function(cps_test name)
   endif()
 endfunction()
 
-# cps_bench(NAME SOURCES … LINK …): one program of the benchmarks.
+# cps_bench(NAME SOURCES … LINK … [HEADERS set]): one program of the benchmarks. HEADERS: as for cps_room.
 function(cps_bench name)
-  cmake_parse_arguments(BENCH "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(BENCH "" "HEADERS" "SOURCES;LINK" ${ARGN})
+  if(NOT BENCH_HEADERS)
+    set(BENCH_HEADERS room_headers)
+  endif()
   add_executable(${name} ${BENCH_SOURCES})
   target_link_libraries(${name} PRIVATE ${BENCH_LINK})
-  target_precompile_headers(${name} REUSE_FROM cps_room_headers)
+  target_precompile_headers(${name} REUSE_FROM cps_${BENCH_HEADERS})
   add_dependencies(cps_benches ${name})
 endfunction()

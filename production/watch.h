@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "scenes/drive/driven_scene.h"
-
 namespace cps {
+
+struct DrivenScene;
 
 /// Thrown where long work gives up because its caller asked it to.
 struct Interrupted : std::exception {

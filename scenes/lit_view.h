@@ -12,6 +12,7 @@ struct SceneLight {
   std::vector<PunctualLight> lights;
   std::vector<float> albedo;          ///< of each instance: mean over its texture
   std::vector<float> emitted_kcd_m2;  ///< by each instance
+  float max_received_kcd_m2 = 0;  ///< mean luminance around a point, at most; unbounded where there are lamps
 };
 
 SceneLight scene_light(const Scene& scene);

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "numbers/luminance.h"
+#include "numbers/metering.h"
 #include "numbers/srgb.h"
 
 namespace cps {
 namespace {
-
-constexpr double key = 0.18;  ///< share of white to which the mean luminance is brought
 
 /// The linear values at which the rounded 8-bit sRGB code steps up: code(v) is the number of thresholds ≤ v.
 /// Searching the table is exact and cheaper than a power per value.
@@ -43,12 +42,7 @@ double meter_exposure(const OIIO::ImageBuf& linear_master) {
       const float* rgb = pixels + 3 * (static_cast<std::size_t>(y) * width + x);
       luminances.push_back(luminance(rgb[0], rgb[1], rgb[2]));
     }
-  auto middle = luminances.begin() + static_cast<std::ptrdiff_t>(luminances.size() / 2);
-  std::nth_element(luminances.begin(), middle, luminances.end());
-  const float brightest = 8 * *middle;
-  double sum = 0;
-  for (float luminance : luminances) sum += std::min(luminance, brightest);
-  return sum > 0 ? key * static_cast<double>(luminances.size()) / sum : 1.0;
+  return metered_exposure(luminances).value_or(1);
 }
 
 OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear) {

@@ -6,7 +6,7 @@
 #include "apps/options.h"
 #include "apps/threads.h"
 #include "production/drive_text.h"
-#include "production/load_scene.h"
+#include "production/top_views.h"
 #include "sampler/recipe/rig_file.h"
 
 namespace po = boost::program_options;

@@ -21,13 +21,10 @@ nlohmann::ordered_json camera_json(const Pinhole& camera, const Distortion& lens
           {"cy", camera.cy}};
 }
 
-nlohmann::ordered_json rows_json(const Eigen::Isometry3d& pose) {
-  std::vector<std::vector<double>> rows;
-  for (int r = 0; r < 4; ++r) {
-    const Eigen::RowVector4d row = pose.matrix().row(r);
-    rows.push_back({row[0], row[1], row[2], row[3]});
-  }
-  return rows;
+nlohmann::ordered_json rows_json(const Eigen::MatrixX4d& rows) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& row : rows.rowwise()) json.push_back({row[0], row[1], row[2], row[3]});
+  return json;
 }
 
 CalibratedCamera camera_from_json(const JsonKeys& keys) {

@@ -12,8 +12,8 @@ namespace cps {
 /// The keys fov K width height k1 k2 k3 p1 p2 cx cy.
 nlohmann::ordered_json camera_json(const Pinhole& camera, const Distortion& lens);
 
-/// A pose as the rows of its 4×4 matrix.
-nlohmann::ordered_json rows_json(const Eigen::Isometry3d& pose);
+/// The rows of a pose's matrix: all four, or the first three.
+nlohmann::ordered_json rows_json(const Eigen::MatrixX4d& rows);
 
 /// The camera from K, width, height and the coefficients. fov, cx and cy follow from them and may be missing.
 /// Throws as JsonKeys does.

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "dataset/exchange/camera_json.h"
 #include "dataset/exchange/formats/formats.h"
 #include "dataset/export/posed_images.h"
 
@@ -9,15 +10,6 @@ namespace cps {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json rows(const Eigen::Matrix4d& matrix, int count) {
-  Json json = Json::array();
-  for (int r = 0; r < count; ++r) {
-    const Eigen::RowVector4d row = matrix.row(r);
-    json.push_back({row[0], row[1], row[2], row[3]});
-  }
-  return json;
-}
 
 /// (x, y, z) becomes (x, −z, y).
 Eigen::Matrix4d z_up_from_y_up() {
@@ -36,7 +28,7 @@ Json frame_json(const ExportSource& source, const DatasetImage& image) {
   const Eigen::Matrix4d pose = z_up_from_y_up() * world_from_camera(source.frame_of(image)).matrix();
   Json frame = {{"file_path", path_of(image)}};
   frame.update(nerfstudio_camera(calibrated_camera(source.label_of(image), "")));
-  frame["transform_matrix"] = rows(pose * flipped.asDiagonal(), 4);
+  frame["transform_matrix"] = rows_json(pose * flipped.asDiagonal());
   return frame;
 }
 
@@ -54,8 +46,8 @@ void append_names(const Append& append, Part part, const std::vector<const Datas
 void write_transforms(const ExportJob& job, const std::string& folder,
                       const std::vector<const DatasetImage*>& images) {
   job.folder.write(folder + "/transforms.json", [&](const Append& append) {
-    append("{\"camera_model\": \"OPENCV\",\n\"applied_transform\": " + rows(z_up_from_y_up(), 3).dump() +
-           ",\n\"frames\": [");
+    append("{\"camera_model\": \"OPENCV\",\n\"applied_transform\": " +
+           rows_json(z_up_from_y_up().topRows(3)).dump() + ",\n\"frames\": [");
     std::string separator = "\n";
     for (const DatasetImage* image : images) {
       append(separator + frame_json(job.source, *image).dump());

@@ -55,7 +55,8 @@ Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
 Json rig_json(const Rig& rig) {
   Json json = Json::array();
   for (const RigCamera& camera : rig.cameras)
-    json.push_back({{"name", camera.name}, {"T_vehicle_camera", rows_json(vehicle_from_camera(camera))}});
+    json.push_back(
+        {{"name", camera.name}, {"T_vehicle_camera", rows_json(vehicle_from_camera(camera).matrix())}});
   return json;
 }
 

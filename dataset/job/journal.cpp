@@ -2,14 +2,13 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "dataset/job/shard_files.h"
 #include "files/files.h"
 
 namespace cps {
@@ -17,26 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path journal_file(const fs::path& dataset, const Shard& shard) {
-  return dataset / ".cps" /
-         ("journal_" + std::to_string(shard.index) + "_of_" + std::to_string(shard.count) + ".jsonl");
-}
-
-/// The journals that are there, sorted by name.
-std::vector<std::pair<Shard, fs::path>> journals_in(const fs::path& dataset) {
-  std::vector<std::pair<Shard, fs::path>> journals;
-  if (!fs::is_directory(dataset / ".cps")) return journals;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dataset / ".cps")) {
-    Shard shard;
-    const std::string name = entry.path().filename().string();
-    if (std::sscanf(name.c_str(), "journal_%ld_of_%ld", &shard.index, &shard.count) == 2 &&
-        entry.path() == journal_file(dataset, shard))
-      journals.emplace_back(shard, entry.path());
-  }
-  std::sort(journals.begin(), journals.end(),
-            [](const auto& a, const auto& b) { return a.second < b.second; });
-  return journals;
-}
+const char* const kind = "journal";
 
 /// The length of `text` up to and including its last line break.
 std::size_t length_of_lines(const std::string& text) {
@@ -81,7 +61,7 @@ int read_journal(const fs::path& file, Visit&& visit) {
 
 JournalLines read_journals(const fs::path& dataset) {
   JournalLines lines;
-  for (const auto& [shard, file] : journals_in(dataset))
+  for (const auto& [shard, file] : shard_files(dataset, kind))
     lines.unreadable +=
         read_journal(file, [&](ViewRecord&& record) { lines.views[record.view] = std::move(record); });
   return lines;
@@ -89,7 +69,7 @@ JournalLines read_journals(const fs::path& dataset) {
 
 std::vector<JournalTally> tally_journals(const fs::path& dataset) {
   std::vector<JournalTally> tallies;
-  for (const auto& [shard, file] : journals_in(dataset)) {
+  for (const auto& [shard, file] : shard_files(dataset, kind)) {
     JournalTally tally{.shard = shard};
     tally.unreadable = read_journal(file, [&](const ViewRecord& record) {
       ++tally.views;
@@ -103,7 +83,7 @@ std::vector<JournalTally> tally_journals(const fs::path& dataset) {
 
 std::vector<std::int64_t> journalled_shard_counts(const fs::path& dataset) {
   std::set<std::int64_t> counts;
-  for (const auto& [shard, file] : journals_in(dataset)) counts.insert(shard.count);
+  for (const auto& [shard, file] : shard_files(dataset, kind)) counts.insert(shard.count);
   return {counts.begin(), counts.end()};
 }
 
@@ -122,7 +102,7 @@ bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
 }
 
 Journal::Journal(const fs::path& dataset, const Shard& shard)
-    : file_(journal_file(dataset, shard)), lock_(file_, FileLock::Kind::exclusive) {
+    : file_(shard_file(dataset, kind, shard)), lock_(file_, FileLock::Kind::exclusive) {
   if (!lock_.is_held())
     throw HeldByAnother(dataset.string() + ": shard " + to_string(shard) +
                         " is being made by another process; wait for it or choose another shard");

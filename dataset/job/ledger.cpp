@@ -1,11 +1,11 @@
 #include "dataset/job/ledger.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
 
+#include "dataset/job/shard_files.h"
 #include "files/files.h"
 #include "files/json_keys.h"
 
@@ -14,10 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path ledger_file(const fs::path& dataset, const Shard& shard) {
-  return dataset / ".cps" /
-         ("times_" + std::to_string(shard.index) + "_of_" + std::to_string(shard.count) + ".jsonl");
-}
+const char* const kind = "times";
 
 nlohmann::ordered_json to_json(const RunTimes& times) {
   return {
@@ -51,22 +48,16 @@ RunTimes run_times(const std::string& line, const std::string& file) {
 }  // namespace
 
 void enter_in_ledger(const fs::path& dataset, const Shard& shard, const RunTimes& times) {
-  const fs::path file = ledger_file(dataset, shard);
+  const fs::path file = shard_file(dataset, kind, shard);
   write_file(file, (fs::exists(file) ? read_file(file) : "") + to_json(times).dump() + "\n");
 }
 
 std::vector<LedgerEntry> read_ledger(const fs::path& dataset) {
   std::vector<LedgerEntry> entries;
-  if (!fs::is_directory(dataset / ".cps")) return entries;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dataset / ".cps")) {
-    Shard shard;
-    const std::string name = entry.path().filename().string();
-    if (std::sscanf(name.c_str(), "times_%ld_of_%ld", &shard.index, &shard.count) != 2 ||
-        entry.path() != ledger_file(dataset, shard))
-      continue;
-    std::istringstream lines(read_file(entry.path()));
+  for (const auto& [shard, file] : shard_files(dataset, kind)) {
+    std::istringstream lines(read_file(file));
     for (std::string line; std::getline(lines, line);)
-      entries.push_back({shard, run_times(line, entry.path().string())});
+      entries.push_back({shard, run_times(line, file.string())});
   }
   std::stable_sort(entries.begin(), entries.end(), [](const LedgerEntry& a, const LedgerEntry& b) {
     return std::tie(a.shard.count, a.shard.index) < std::tie(b.shard.count, b.shard.index);

@@ -48,7 +48,8 @@ nlohmann::ordered_json to_json(const Label& label) {
        {{"min_eigenvalue", label.certificate_min_eigenvalue},
         {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
       {"limits", limits},
-      {"camera", {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera)}}},
+      {"camera",
+       {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera.matrix())}}},
       {"part", to_string(label.part)},
       {"seed", label.seed},
       {"generator", label.generator}});

@@ -14,4 +14,13 @@ inline Mesh box() {
   return mesh;
 }
 
+/// Adds a box with these corners to a scene whose first mesh is box().
+inline void add_box(Scene& scene, const Eigen::Vector3f& low, const Eigen::Vector3f& high) {
+  Instance instance;
+  instance.world_from_mesh =
+      Eigen::Translation3f((low + high) / 2) * Eigen::Scaling(Eigen::Vector3f((high - low) / 2));
+  scene.instances.push_back(instance);
+  scene.bounds.extend(low).extend(high);
+}
+
 }  // namespace cps

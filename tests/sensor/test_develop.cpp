@@ -66,6 +66,8 @@ TEST_CASE("metering brings the centre to the key and ignores the rim and the sun
   const float sun[3] = {1e6f, 1e6f, 1e6f};
   image.setpixel(20, 10, 0, sun);
   CHECK(meter_exposure(image) == Approx(0.06).epsilon(0.02));
+  CHECK(meter_exposure(image) ==
+        Approx(0.18 * 512 / (511 * 3.0 + 8 * 3.0)));  // it counts eight times the median
   CHECK(meter_exposure(constant_image(8, 8, 0)) == 1.0);
 }
 

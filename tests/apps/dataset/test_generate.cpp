@@ -213,6 +213,28 @@ TEST_CASE("a scene that no light reaches has no places, and the message says why
   check_refused(tiny_recipe(scene, folder / "dataset") + " --clearance_m 1", 1, "200 dark");
 }
 
+TEST_CASE("a scene without lanes says where cars drive, and why there") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path, scene = write_street_gltf(folder);
+  nlohmann::ordered_json gltf = read_json(scene);
+  gltf["scenes"][0].erase("extras");
+  write_json(scene, gltf);
+  const ProgramRun made = run_cps(tiny_recipe(scene, folder / "dataset") + " --split thesis");
+  INFO(made.output);
+  REQUIRE(made.exit_status == 0);
+  int drives = 0;
+  double metres = 0, level_m = -1, percent = 0;
+  const std::string line = made.output.substr(made.output.find("street.gltf: "));
+  REQUIRE(std::sscanf(line.c_str(),
+                      "street.gltf: 1 m per unit, %d drives found, %lf m on ground at y = %lf m with things "
+                      "in %lf %% of all directions",
+                      &drives, &metres, &level_m, &percent) == 4);
+  CHECK(drives >= 3);
+  CHECK(metres >= 4 * drives);  // the shortest that is taken
+  CHECK(level_m == 0);          // the street, not the roofs
+  CHECK(percent > 20);          // of a lawn it would be less
+}
+
 TEST_CASE("--look shows the scene from above") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder);

@@ -19,14 +19,6 @@ using Eigen::Vector3f;
 
 namespace {
 
-void add_box(Scene& scene, const Vector3f& low, const Vector3f& high) {
-  Instance instance;
-  instance.world_from_mesh =
-      Eigen::Translation3f((low + high) / 2) * Eigen::Scaling(Vector3f((high - low) / 2));
-  scene.instances.push_back(instance);
-  scene.bounds.extend(low).extend(high);
-}
-
 /// A road along x, 10 m wide and 200 m long, between two rows of houses. The ground continues below the
 /// houses.
 Scene street() {
