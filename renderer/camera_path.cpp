@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/cache/cached_paths.h"
+
 namespace cps {
 namespace {
 
@@ -37,6 +39,13 @@ Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int 
 
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y) {
   return path_along(source, pixel, make_sobol_sample(source.seed, x, y, 0), 0, central_offset_px);
+}
+
+void trace_packet(const RenderScene& scene, const RenderOptions& options, Path (&paths)[packet_size]) {
+  if (options.cache)
+    trace_cached_paths(scene, *options.cache, options.max_shaded_vertices, paths);
+  else
+    trace_paths(scene, options.max_shaded_vertices, paths);
 }
 
 }  // namespace cps

@@ -27,4 +27,7 @@ inline const Eigen::Vector2f central_offset_px(1.0f / 4096, 1.0f / 8192);
 /// The path through the pixel's centre (plus central_offset_px), for what must not be averaged.
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y);
 
+/// Traces the paths that are alive to their ends, as the options say.
+void trace_packet(const RenderScene& scene, const RenderOptions& options, Path (&paths)[packet_size]);
+
 }  // namespace cps

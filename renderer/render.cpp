@@ -47,7 +47,7 @@ struct TileRenderer {
   const RenderScene& scene;
   PathSource source;
   SampleRange range;  ///< of every pixel
-  int max_shaded_vertices;
+  const RenderOptions& options;
   Pixels pixels;
 
   /// Renders a tile. Its samples, pixel after pixel, are traced in packets: all of one pixel, or of a few
@@ -66,7 +66,7 @@ struct TileRenderer {
         if (sample == 0) camera = camera_pixel(source.rays, at.x, at.y);
         paths[i] = camera_path(source, camera, at.x, at.y, range.first + sample);
       }
-      trace_paths(scene, max_shaded_vertices, paths);
+      trace_packet(scene, options, paths);
       for (int i = 0; i < packet_size && first + i < count; ++i) {
         rays += paths[i].rays;
         pixel.add(paths[i].radiance);
@@ -113,7 +113,7 @@ OIIO::ImageBuf render_samples(const RenderScene& scene, const Camera& camera, co
   PathSource source = make_path_source(camera, options);
   OIIO::ImageBuf image(spec);
   if (variance) variance->reset(spec);
-  const TileRenderer tiles{scene, std::move(source), range, options.max_shaded_vertices,
+  const TileRenderer tiles{scene, std::move(source), range, options,
                            Pixels{width, height, static_cast<float*>(image.localpixels()),
                                   variance ? static_cast<float*>(variance->localpixels()) : nullptr}};
   std::atomic<std::uint64_t> rays = 0;

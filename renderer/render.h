@@ -12,12 +12,15 @@
 
 namespace cps {
 
+class LightCache;
+
 struct RenderOptions {
   int samples = 64;             ///< per pixel
   int max_shaded_vertices = 5;  ///< surface points at which a path gathers light; the ray that leaves the
                                 ///< last one may still see the sky
   std::uint64_t seed = 0;
   PixelFilter filter = PixelFilter::box;
+  LightCache* cache = nullptr;  ///< of the scene (light_cache.h); null: all light is traced
   TileProgress progress = {};  ///< called after every tile; may be empty
 
   /// Empty if the options are usable; otherwise one line that names the field and the fix.

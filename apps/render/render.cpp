@@ -30,6 +30,7 @@ struct LoadedScene {
   Camera ideal;
   std::vector<std::string> material_names;
   std::shared_ptr<const RenderScene> ready;
+  std::unique_ptr<LightCache> cache;  ///< null: all light is traced
 };
 
 constexpr double gib = 1 << 30;
@@ -53,7 +54,10 @@ LoadedScene load(const RenderRequest& request) {
     fmt::print(stderr, "{}: warning: {}\n", request.scene.string(), warning);
   if (request.materials == "diffuse") make_diffuse(scene);
   require_memory(request, scene);
-  LoadedScene loaded{ideal_camera(request, scene), {}, build_render_scene(scene, request.light.daylight)};
+  LoadedScene loaded{ideal_camera(request, scene), {}, build_render_scene(scene, request.light.daylight), {}};
+  if (request.light_way == "cached")
+    loaded.cache = std::make_unique<LightCache>(scene, *loaded.ready, request.render.max_shaded_vertices,
+                                                request.cache);
   for (const Material& material : scene.materials) loaded.material_names.push_back(material.name);
   return loaded;
 }
@@ -140,6 +144,7 @@ int cps_render(const Arguments& arguments) {
   const ThreadLimit threads(values);
 
   const LoadedScene scene = load(request);
+  request.render.cache = scene.cache.get();
   const LensView view = lens_view(request, scene.ideal);
   if (request.replay) {
     replay(*scene.ready, view.seen, request.render, *request.replay, scene.material_names, std::cout);

@@ -24,8 +24,8 @@ void print_vertex(const RenderScene& scene, const VertexRecord& vertex, std::siz
   fmt::print(out, "  position    {}\n  normal      {}\n  footprint   {:.3g} m\n", text(vertex.position),
              text(vertex.normal), vertex.footprint_m);
   fmt::print(out, "  throughput  {}\n", text(vertex.throughput));
-  fmt::print(out, "  gives       emission {}, sun {}, sky {}, lamps {}\n", text(vertex.emission),
-             text(vertex.sun), text(vertex.sky), text(vertex.lamps));
+  fmt::print(out, "  gives       emission {}, sun {}, sky {}, lamps {}, cached {}\n", text(vertex.emission),
+             text(vertex.sun), text(vertex.sky), text(vertex.lamps), text(vertex.cached));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void replay(const RenderScene& scene, const Camera& camera, const RenderOptions&
   paths[0].record = &record;
   fmt::print(out, "pixel {}, {}, sample {}: from {} towards {}\n", x, y, sample, text(paths[0].ray.origin),
              text(paths[0].ray.direction));
-  trace_paths(scene, options.max_shaded_vertices, paths);
+  trace_packet(scene, options, paths);
   for (std::size_t i = 0; i < record.vertices.size(); ++i)
     print_vertex(scene, record.vertices[i], i, material_names, out);
   fmt::print(out, "end: {}; from beyond {}\n", record.end, text(record.beyond));

@@ -50,6 +50,11 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
   add("samples", with_default(render.samples), "light paths traced per pixel; more: less noise");
   add("max_shaded_vertices", with_default(render.max_shaded_vertices),
       "surface points at which a path gathers light");
+  add("light", with_default(request.light_way)->value_name("WORD"),
+      "traced: follow all light; cached: keep the light of the sky and between surfaces in cells of the scene, "
+      "which has little noise and costs less");
+  add("cache-memory", with_default(request.cache.memory_gib),
+      "GiB for the cells of --light cached; what does not fit is computed again");
   add("filter", with_default(request.filter)->value_name("WORD"),
       "how a pixel weighs the light around it: box, tent or gaussian");
   add("materials", with_default(request.materials)->value_name("WORD"),
@@ -123,6 +128,9 @@ void finish(RenderRequest& request) {
   if (!(request.memory_gib >= 0)) throw po::error("--memory: must be 0 or more");
   if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64))
     throw po::error("--exposure: must lie in [-64, 64]");
+  if (request.light_way != "traced" && request.light_way != "cached")
+    throw po::error("--light " + request.light_way + ": must be traced or cached");
+  if (const std::string fault = request.cache.fault(); !fault.empty()) throw po::error("--" + fault);
   if (request.materials != "all" && request.materials != "diffuse")
     throw po::error("--materials " + request.materials + ": must be all or diffuse");
   check_output(request);

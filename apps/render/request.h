@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/render/light_options.h"
+#include "renderer/cache/light_cache.h"
 #include "renderer/render.h"
 
 namespace cps {
@@ -20,7 +21,8 @@ struct RenderRequest {
   std::optional<std::string> aov, replay;
   std::optional<std::filesystem::path> reference;
   std::optional<double> exposure_ev;
-  std::string filter = "box", materials = "all";
+  std::string filter = "box", materials = "all", light_way = "traced";
+  LightCacheOptions cache;
   double memory_gib = 0;  ///< 0: no limit
   RenderOptions render;
   LightRequest light;

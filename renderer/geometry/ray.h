@@ -14,6 +14,7 @@ struct Ray {
   float t_near = 0;
   float t_far = std::numeric_limits<float>::infinity();
   bool from_viewer = false;  ///< meets inside-out shells, which light passes
+  bool meets_car = true;     ///< false: passes what rides with the car
   std::uint32_t id = 0;      ///< decides, with the surface, whether a half-transparent surface stops the ray
 };
 

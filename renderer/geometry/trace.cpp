@@ -172,11 +172,11 @@ void Bvh::move_riding(const PlacedGeometry& placed) {
 }
 
 Hit Bvh::intersect(const Ray& ray) const {
-  return nearest(scene.get(), riding.get(), ray, nullptr);
+  return nearest(scene.get(), ray.meets_car ? riding.get() : nullptr, ray, nullptr);
 }
 
 Hit Bvh::intersect_shown(const Ray& ray) const {
-  return nearest(scene.get(), riding.get(), ray, filter_backs);
+  return nearest(scene.get(), ray.meets_car ? riding.get() : nullptr, ray, filter_backs);
 }
 
 void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
@@ -206,7 +206,7 @@ Color Bvh::transmittance(const Ray& ray) const {
   RTCRay query = to_embree(ray);
   query.id = 0;
   rtcOccluded1(scene.get(), &context.embree, &query);
-  if (riding && query.tfar >= 0.0f) rtcOccluded1(riding.get(), &context.embree, &query);
+  if (riding && ray.meets_car && query.tfar >= 0.0f) rtcOccluded1(riding.get(), &context.embree, &query);
   return query.tfar < 0.0f ? Color(Color::Zero()) : context.transmittance[0];
 }
 

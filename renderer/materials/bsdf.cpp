@@ -38,15 +38,19 @@ Vec3 mirrored(const Vec3& wo, const Vec3& h) {
 BsdfValue evaluate_below_coat(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   if (wi.z() <= 0.0f || wo.z() <= 0.0f) return {Color::Zero(), 0.0f};
   const float base_pdf = bsdf.diffuse_probability * wi.z() * inv_pi;
-  if (!bsdf.has_layer) return {bsdf.diffuse * inv_pi * wi.z(), base_pdf};
+  if (!bsdf.has_layer) {
+    const Color base = bsdf.diffuse * inv_pi * wi.z();
+    return bsdf.draws_base ? BsdfValue{base, base_pdf} : BsdfValue{Color::Zero(), 0.0f, base};
+  }
   const Vec3 h = (wo + wi).normalized();
   const float schlick = schlick_weight(wo.dot(h));
   const Color fresnel = bsdf.f0 + (bsdf.f90 - bsdf.f0) * schlick;
   const float layer = ggx_distribution(h, bsdf.alpha) * smith_visibility(wo.z(), wi.z(), bsdf.alpha);
   const float base = inv_pi * bsdf.base_share *
                      (1.0f - specular_albedo(bsdf.roughness, wi.z())(bsdf.base_f0, bsdf.base_f90));
-  return {(fresnel * layer + bsdf.diffuse * base) * wi.z(),
-          bsdf.specular_probability * visible_normal_pdf(wo, h, bsdf.alpha) + base_pdf};
+  const float layer_pdf = bsdf.specular_probability * visible_normal_pdf(wo, h, bsdf.alpha);
+  if (!bsdf.draws_base) return {fresnel * layer * wi.z(), layer_pdf, bsdf.diffuse * base * wi.z()};
+  return {(fresnel * layer + bsdf.diffuse * base) * wi.z(), layer_pdf + base_pdf};
 }
 
 void add_coat(const Bsdf& bsdf, const Vec3& shading_wi, BsdfValue& value) {
@@ -137,6 +141,7 @@ BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eig
     is_lost = wi.z() <= 0.0f;
   } else {
     sample.kind = Kind::diffuse;
+    is_lost = !bsdf.draws_base;
     sample.wi = sample_cosine_hemisphere(u);
   }
   if (is_lost) return {sample.wi, Color::Zero(), 0.0f, sample.kind};
@@ -144,6 +149,12 @@ BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eig
   sample.pdf = value.pdf;
   sample.weight = value.pdf > 0.0f ? Color(value.f_cos / value.pdf) : Color::Zero();
   return sample;
+}
+
+Color base_albedo(const Bsdf& bsdf) {
+  if (!bsdf.has_layer) return bsdf.diffuse;
+  return bsdf.diffuse * bsdf.base_share *
+         (1.0f - mean_specular_albedo(bsdf.roughness)(bsdf.base_f0, bsdf.base_f90));
 }
 
 Vec3 sample_cosine_hemisphere(const Eigen::Vector2f& u) {

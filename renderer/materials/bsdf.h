@@ -46,6 +46,7 @@ struct Bsdf {
   float straight_probability;
   Color straight;  ///< fraction of light that passes straight through thin glass
   Coat coat;       ///< sampled in all other cases
+  bool draws_base = true;  ///< false: sample_bsdf() leaves out the diffuse base, whose light is known
 };
 
 /// `wo` points to the viewer, its z > 0.
@@ -55,11 +56,12 @@ Bsdf make_bsdf(const BsdfParameters& parameters, const Vec3& wo);
 /// are multiplied by it, and so are paths that go straight on.
 Color thin_glass_transmittance(const BsdfParameters& parameters, float cosine);
 
-/// Value times |cos_i|, and the density (1/sr) with which sample_bsdf would choose wi. Both are 0 below the
+/// Value times |cos_i|, and the density (1/sr) with which sample_bsdf would choose wi. All are 0 below the
 /// surface: light that passes straight through has no density.
 struct BsdfValue {
-  Color f_cos;
+  Color f_cos;  ///< of the lobes that sample_bsdf() draws
   float pdf;
+  Color base_f_cos = Color::Zero();  ///< of the diffuse base, if it is not drawn
 };
 BsdfValue evaluate_bsdf(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi);
 
@@ -71,6 +73,9 @@ struct BsdfSample {
   Kind kind;
 };
 BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eigen::Vector2f& u);
+
+/// Share of light that the diffuse base sends towards wo, if the same light comes from everywhere.
+Color base_albedo(const Bsdf& bsdf);
 
 /// A direction in the upper hemisphere with density cos/π.
 Vec3 sample_cosine_hemisphere(const Eigen::Vector2f& u);

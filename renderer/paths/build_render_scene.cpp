@@ -24,12 +24,24 @@ std::vector<Eigen::Affine3f> riding_transforms(const PlacedGeometry& placed) {
   return transforms;
 }
 
+/// Of what rides with the car.
+Eigen::AlignedBox3f riding_bounds(const PlacedGeometry& placed) {
+  Eigen::AlignedBox3f bounds;
+  for (const Placement& placement : placed.placements) {
+    if (!placement.rides) continue;
+    for (const PackedVertex& vertex : placed.geometries[placement.geometry].vertices)
+      bounds.extend(placement.world_from_mesh * vertex.position);
+  }
+  return bounds;
+}
+
 }  // namespace
 
 RenderScene::RenderScene(const Scene& scene, SkyAndSun light)
     : materials(make_materials(scene, unlit_white(light))),
       placed(place_geometry(scene, materials)),
       vehicle_from_mesh(riding_transforms(placed)),
+      car_bounds(riding_bounds(placed)),
       bvh(placed),
       lamps(make_lamps(scene, placed)),
       sky(std::move(light.sky)),
@@ -48,6 +60,7 @@ void put_car(RenderScene& scene, const Eigen::Isometry3d& world_from_vehicle) {
     placement.world_from_mesh = world_from_vehicle.cast<float>() * *vehicle_from_mesh++;
     placement.normal_from_mesh = placement.world_from_mesh.linear().inverse().transpose();
   }
+  scene.car_bounds = riding_bounds(scene.placed);
   scene.bvh.move_riding(scene.placed);
 }
 

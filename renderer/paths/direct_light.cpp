@@ -14,14 +14,17 @@ float mis_weight(float pdf, float other) {
 }
 
 /// Light that a vertex gets from `direction`, drawn with density `pdf`, if nothing stands between.
+/// `base_counts`: also for a diffuse base that the path does not draw.
 ShadowRay shadow_ray(const Path& path, const Surface& surface, const Vec3& direction, float pdf,
-                     const Color& light_over_pdf) {
+                     const Color& light_over_pdf, bool base_counts = true) {
   ShadowRay shadow;
   if (surface.geometric_normal.dot(direction) <= 0.0f) return shadow;
   const BsdfValue bsdf = evaluate_bsdf(surface.bsdf, surface.wo, surface.shading.to_local(direction));
-  if (bsdf.pdf <= 0.0f) return shadow;
+  const bool adds_base = base_counts && !surface.bsdf.draws_base;
+  if (bsdf.pdf <= 0.0f && !adds_base) return shadow;
   shadow.ray = surface.leave(direction);
   shadow.contribution = path.throughput * bsdf.f_cos * light_over_pdf * mis_weight(pdf, bsdf.pdf);
+  if (adds_base) shadow.contribution += path.throughput * bsdf.base_f_cos * light_over_pdf;
   shadow.wanted = (shadow.contribution > 0.0f).any();
   return shadow;
 }
@@ -39,7 +42,8 @@ ShadowRay towards_lamp(const Path& path, const Surface& surface, const LampSampl
 Color light_from_beyond(const RenderScene& scene, const Path& path) {
   const Vec3& direction = path.ray.direction;
   Color light = scene.sky.radiance(direction) * mis_weight(path.pdf, scene.sky.distribution.pdf(direction));
-  if (scene.sun.covers(direction)) light += scene.sun.radiance * mis_weight(path.pdf, scene.sun.pdf);
+  if (!path.skips_sun_and_lamps && scene.sun.covers(direction))
+    light += scene.sun.radiance * mis_weight(path.pdf, scene.sun.pdf);
   return light;
 }
 
@@ -49,6 +53,7 @@ Color light_from_lamp(const RenderScene& scene, const Path& path, const Hit& hit
                         ? 0.0f
                         : scene.lamps.pdf(scene.placed, path.vertex_position, path.vertex_normal,
                                           hit.placement, hit.triangle, surface.position);
+  if (path.skips_sun_and_lamps && pdf > 0.0f) return Color::Zero();
   return surface.emission * mis_weight(path.pdf, pdf);
 }
 
@@ -60,10 +65,16 @@ ShadowRay towards_sun(const RenderScene& scene, const Path& path, const Surface&
 
 ShadowRay towards_sky(const RenderScene& scene, const Path& path, const Surface& surface) {
   if (scene.sky.distribution.empty()) return {};
+  // Where the base has its light already, the rest is worth a ray only now and then.
+  float share = 1.0f;
+  if (!surface.bsdf.draws_base) {
+    share = 1.0f - surface.bsdf.diffuse_probability;
+    if (path.pair(pair_lobe).y() >= share) return {};
+  }
   const DirectionSample sample = scene.sky.distribution.sample(path.pair(pair_sky));
   if (surface.geometric_normal.dot(sample.direction) <= 0.0f) return {};
   return shadow_ray(path, surface, sample.direction, sample.pdf,
-                    scene.sky.radiance(sample.direction) / sample.pdf);
+                    scene.sky.radiance(sample.direction) / (share * sample.pdf), false);
 }
 
 void gather_lamps(const RenderScene& scene, Path& path, const Surface& surface) {

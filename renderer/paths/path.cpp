@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/paths/direct_light.h"
-#include "renderer/paths/surface.h"
+#include "renderer/paths/path_steps.h"
 
 namespace cps {
 namespace {
@@ -99,6 +98,7 @@ void scatter(Path& path, const Surface& surface) {
   path.ray = surface.leave(direction);
   path.ray.id = next_id;
   path.pdf = sample.pdf;
+  path.skips_sun_and_lamps = false;
   path.vertex_position = surface.position;
   path.vertex_normal = surface.geometric_normal;
   ++path.shaded_vertices;
@@ -121,60 +121,6 @@ void record_vertex(Path& path, const Hit& hit, const Surface& surface, const Col
                                    .emission = emission});
 }
 
-/// Adds the light of sun and sky to a path that met nothing.
-void leave_scene(const RenderScene& scene, Path& path) {
-  const Color light = path.throughput * light_from_beyond(scene, path);
-  path.radiance += light;
-  if (path.record) path.record->beyond = light;
-  end_path(path, "left the scene");
-}
-
-/// Shadow rays of a vertex that are traced together with those of other paths.
-struct SunAndSkyRays {
-  ShadowRay sun, sky;
-};
-
-/// Shades the surface that the path hit: adds the light that it emits and that lamps send to it, and sends
-/// the path on.
-SunAndSkyRays shade(const RenderScene& scene, int max_shaded_vertices, Path& path, const Hit& hit) {
-  // Do not shade what can give no light or is not worth it.
-  const bool is_last = path.shaded_vertices == max_shaded_vertices;
-  if (is_last && !gives_light(scene, hit)) {
-    end_path(path, "no more bounces");
-    return {};
-  }
-  if (path.shaded_vertices > 0 && !gives_light(scene, hit) &&
-      !survives_roulette(path, roulette_before_shading, 0)) {
-    return {};
-  }
-
-  // Look up geometry, textures and BSDF, averaged over the path's cone.
-  path.cone_width += path.cone_spread * hit.t;
-  const Surface surface = make_surface(scene.placed, path.ray, hit, path.cone_width, path.min_roughness);
-
-  // Add the light that the surface emits.
-  const Color emission = path.throughput * light_from_lamp(scene, path, hit, surface);
-  path.radiance += emission;
-  if (path.record) record_vertex(path, hit, surface, emission);
-  if (!surface.scatters) {
-    end_path(path, "unlit");
-    return {};
-  }
-  if (is_last) {
-    pass_straight(path, surface);
-    return {};
-  }
-
-  // Next-event estimation: draw a point on each kind of light. Lamps lie anywhere, so their shadow rays are
-  // traced one by one.
-  const SunAndSkyRays rays{towards_sun(scene, path, surface), towards_sky(scene, path, surface)};
-  gather_lamps(scene, path, surface);
-
-  // Continue.
-  scatter(path, surface);
-  return rays;
-}
-
 /// The surface that shows where `hit` is the nearest. glTF hides the backs of single-sided materials from the
 /// viewer; light between surfaces meets them like fronts, so that a wall without a back casts a shadow and
 /// lets nothing through. A front may lie in the very place of a hidden back (cloth made of two), so the ray
@@ -191,22 +137,6 @@ Hit next_hit(const RenderScene& scene, Path& path) {
   return path.ray.from_viewer ? first_visible(scene, path, hit) : hit;
 }
 
-/// The surfaces that the living paths meet next. Prefetches what shading them will read.
-void next_hits(const RenderScene& scene, bool first, Path (&paths)[packet_size], Hit (&hits)[packet_size]) {
-  if (first) first_hits(scene, paths, hits);
-  for (int i = 0; i < packet_size; ++i) {
-    if (!paths[i].alive) continue;
-    if (!first) hits[i] = next_hit(scene, paths[i]);
-    if (hits[i]) prefetch_corners(scene.placed, hits[i].placement, hits[i].triangle);
-  }
-  for (int i = 0; i < packet_size; ++i)
-    if (paths[i].alive && hits[i]) prefetch_vertices(scene.placed, hits[i].placement, hits[i].triangle);
-}
-
-bool any_alive(const Path (&paths)[packet_size]) {
-  return std::any_of(std::begin(paths), std::end(paths), [](const Path& path) { return path.alive; });
-}
-
 }  // namespace
 
 void first_hits(const RenderScene& scene, Path (&paths)[packet_size], Hit (&hits)[packet_size]) {
@@ -221,31 +151,74 @@ void first_hits(const RenderScene& scene, Path (&paths)[packet_size], Hit (&hits
   }
 }
 
-void trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
-  for (bool first = true; any_alive(paths); first = false) {
-    // Find the next surface of every path.
-    Hit hits[packet_size];
-    next_hits(scene, first, paths, hits);
-
-    // Shade it, or end the path in the sky.
-    ShadowRay sun_rays[packet_size], sky_rays[packet_size];
-    for (int i = 0; i < packet_size; ++i) {
-      if (!paths[i].alive) continue;
-      if (!hits[i]) {
-        leave_scene(scene, paths[i]);
-        continue;
-      }
-      const SunAndSkyRays rays = shade(scene, max_shaded_vertices, paths[i], hits[i]);
-      sun_rays[i] = rays.sun;
-      sky_rays[i] = rays.sky;
-      ++paths[i].met_surfaces;
-    }
-
-    // Add the light of sun and sky where nothing stands in the way. The sun's rays from first surfaces run
-    // side by side.
-    gather_all(scene, sun_rays, first, &VertexRecord::sun, paths);
-    gather_all(scene, sky_rays, false, &VertexRecord::sky, paths);
+void next_hits(const RenderScene& scene, bool coherent, Path (&paths)[packet_size],
+               Hit (&hits)[packet_size]) {
+  if (coherent) first_hits(scene, paths, hits);
+  for (int i = 0; i < packet_size; ++i) {
+    if (!paths[i].alive) continue;
+    if (!coherent) hits[i] = next_hit(scene, paths[i]);
+    if (hits[i]) prefetch_corners(scene.placed, hits[i].placement, hits[i].triangle);
   }
+  for (int i = 0; i < packet_size; ++i)
+    if (paths[i].alive && hits[i]) prefetch_vertices(scene.placed, hits[i].placement, hits[i].triangle);
+}
+
+void leave_scene(const RenderScene& scene, Path& path) {
+  const Color light = path.throughput * light_from_beyond(scene, path);
+  path.radiance += light;
+  if (path.record) path.record->beyond = light;
+  end_path(path, "left the scene");
+}
+
+bool meet_surface(const RenderScene& scene, int max_shaded_vertices, Path& path, const Hit& hit,
+                  Surface& surface) {
+  // Do not shade what can give no light or is not worth it.
+  const bool is_last = path.shaded_vertices == max_shaded_vertices;
+  if (is_last && !gives_light(scene, hit)) {
+    end_path(path, "no more bounces");
+    return false;
+  }
+  if (path.shaded_vertices > 0 && !gives_light(scene, hit) &&
+      !survives_roulette(path, roulette_before_shading, 0)) {
+    return false;
+  }
+
+  // Look up geometry, textures and BSDF, averaged over the path's cone.
+  path.cone_width += path.cone_spread * hit.t;
+  surface = make_surface(scene.placed, path.ray, hit, path.cone_width, path.min_roughness);
+
+  // Add the light that the surface emits.
+  const Color emission = path.throughput * light_from_lamp(scene, path, hit, surface);
+  path.radiance += emission;
+  if (path.record) record_vertex(path, hit, surface, emission);
+  if (!surface.scatters) {
+    end_path(path, "unlit");
+    return false;
+  }
+  if (is_last) {
+    pass_straight(path, surface);
+    return false;
+  }
+  return true;
+}
+
+SunAndSkyRays light_and_scatter(const RenderScene& scene, Path& path, const Surface& surface) {
+  // Next-event estimation: draw a point on each kind of light. Lamps lie anywhere, so their shadow rays are
+  // traced one by one.
+  const SunAndSkyRays rays{towards_sun(scene, path, surface), towards_sky(scene, path, surface)};
+  gather_lamps(scene, path, surface);
+
+  // Continue.
+  scatter(path, surface);
+  return rays;
+}
+
+void trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
+  trace_paths_with(scene, true, paths, [&](Path& path, const Hit& hit) -> SunAndSkyRays {
+    Surface surface;
+    if (!meet_surface(scene, max_shaded_vertices, path, hit, surface)) return {};
+    return light_and_scatter(scene, path, surface);
+  });
 }
 
 }  // namespace cps

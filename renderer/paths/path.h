@@ -13,7 +13,8 @@ struct VertexRecord {
   float footprint_m;      ///< width that its textures were averaged over
   Color throughput;       ///< of the path when it arrived
   /// Contributions to the pixel.
-  Color emission = Color::Zero(), sun = Color::Zero(), sky = Color::Zero(), lamps = Color::Zero();
+  Color emission = Color::Zero(), sun = Color::Zero(), sky = Color::Zero(), lamps = Color::Zero(),
+        cached = Color::Zero();
 };
 
 struct PathRecord {
@@ -34,6 +35,7 @@ struct Path {
   Vec3 vertex_position, vertex_normal;                 ///< of the surface that drew it, if pdf is finite
   int met_surfaces = 0;                                ///< including glass that it passed straight through
   int shaded_vertices = 0;                             ///< surface points that scattered it
+  bool skips_sun_and_lamps = false;  ///< its ray leaves out the sun and the lamps that light samples draw
   Color throughput = Color::Ones();
   Color radiance = Color::Zero();  ///< the result
   std::uint32_t rays = 0;          ///< traced for it so far, shadow rays included

@@ -12,7 +12,8 @@
 ///       pair_sun                place on the sun's disc
 ///       pair_sky                direction to the sky
 ///       pair_bsdf               direction of the BSDF, from the second surface on
-///       pair_lobe               lobe of the BSDF                     –
+///       pair_lobe               lobe of the BSDF                     whether the layer over a cached base
+///                                                                    is worth a sky ray
 ///       pair_roulette           Russian roulette before shading      and before the next ray
 ///       pair_lamp               place on a lamp
 ///       pair_which_lamp         which lamp of the tree               which directional light

@@ -17,6 +17,7 @@ struct RenderScene {
   PlacedGeometry placed;
   std::vector<Eigen::Affine3f>
       vehicle_from_mesh;  ///< of the placements that ride with the car, in their order
+  Eigen::AlignedBox3f car_bounds;  ///< of what rides with the car, where it is now; empty: nothing does
   Bvh bvh;
   Lamps lamps;
   Sky sky;

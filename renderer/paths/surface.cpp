@@ -65,6 +65,7 @@ Surface make_surface(const PlacedGeometry& placed, const Ray& ray, const Hit& hi
   Surface surface;
   surface.position = interpolate(t.positions[0], t.positions[1], t.positions[2], hit.u, hit.v);
   surface.clearance = rounding_of(t);
+  surface.meets_car = ray.meets_car;
 
   const float world_area = t.normal.norm();
   const Vec3 front = world_area > 0.0f ? Vec3(t.normal / world_area) : wo;

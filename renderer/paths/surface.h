@@ -17,9 +17,12 @@ struct Surface {
   Color base_color;  ///< glTF's, with texture and vertex colours
   Color emission;    ///< radiance towards wo
   float clearance;   ///< distance that a ray must start off the surface, for rounding, metres
+  bool meets_car;    ///< of the ray that hit it, and of those that leave it
 
   /// A ray away from the surface. `wi` must be on wo's side of the true surface, or light leaks through.
-  Ray leave(const Vec3& wi) const { return {position + clearance * geometric_normal, wi}; }
+  Ray leave(const Vec3& wi) const {
+    return {.origin = position + clearance * geometric_normal, .direction = wi, .meets_car = meets_car};
+  }
 
   /// `ray`, which hit the surface, continued straight through it.
   Ray pass(const Ray& ray) const {

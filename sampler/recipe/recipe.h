@@ -11,6 +11,7 @@
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/light_draw.h"
 #include "sampler/recipe/image_format.h"
+#include "sampler/recipe/light_method.h"
 #include "sampler/recipe/per_size.h"
 #include "scenes/city/city_style.h"
 #include "sensor/sensor.h"
@@ -67,6 +68,7 @@ struct Recipe {
   /// Paths per master pixel, even; an output pixel is as noisy as the mean of four times as many.
   int samples = 16;
   int max_shaded_vertices = 5;
+  LightMethod light_method = LightMethod::traced;
   SensorOptions sensor;
 
   // Files.

@@ -45,6 +45,10 @@ inline void parse_value(std::string_view text, ImageFormat& value) {
   value = image_format_from(std::string(text));
 }
 
+inline void parse_value(std::string_view text, LightMethod& value) {
+  value = light_method_from(std::string(text));
+}
+
 inline void parse_value(std::string_view text, CityStyle& value) {
   value = city_style_from(std::string(text));
 }
@@ -95,6 +99,10 @@ inline std::string value_text(LensScheme scheme) {
 
 inline std::string value_text(ImageFormat format) {
   return to_string(format);
+}
+
+inline std::string value_text(LightMethod method) {
+  return to_string(method);
 }
 
 inline std::string value_text(CityStyle style) {

@@ -1,0 +1,106 @@
+#include "renderer/cache/light_cache.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/paths/hit_ids.h"
+
+namespace cps {
+namespace {
+
+/// Cells that are near others are divided down to so many levels below.
+constexpr int max_divisions = 2;
+
+/// What a path sees after it scattered is averaged over a lobe: larger cells do, however near others are.
+constexpr int levels_after_bounce = 2;
+constexpr float sharp_roughness = 0.15f;
+
+/// Room to each side of the car within which its shadow in the sky's light counts.
+constexpr float car_room_m = 3;
+
+/// Where levels change, they mix over this part of the way from one to the next.
+constexpr float mixed_share = 0.25f;
+
+constexpr double bytes_per_cell = sizeof(std::pair<const Cell, CellLight>) + 3 * sizeof(void*);
+
+/// Random pairs that no path uses (random_pairs.h), at the n-th surface pair(2 n + …).
+enum LookupPair : std::uint32_t { pair_place = 1u << 21, pair_level, pairs_per_lookup = 2 };
+
+Eigen::Vector2f lookup_pair(const Path& path, LookupPair which) {
+  return path.random.pair(which + pairs_per_lookup * static_cast<std::uint32_t>(path.met_surfaces));
+}
+
+int drawn_level(float level, float u) {
+  const float whole = std::floor(level), part = level - whole;
+  const float upper_share = std::clamp((part - (1 - mixed_share)) / mixed_share, 0.0f, 1.0f);
+  return std::max(0, static_cast<int>(whole) + (u < upper_share));
+}
+
+/// Leaves hang in all directions and near each other: light is taken as it is in the mean over their cell.
+bool is_foliage(const SurfaceMaterial& material) {
+  return material.alpha_mode == AlphaMode::mask && material.double_sided;
+}
+
+/// Radiance of white paper whose normal is tilted against the cell's surface.
+Color tilted(const CellLight& light, const Vec3& normal, const Vec3& geometric_normal) {
+  const float along = light.towards.dot(geometric_normal);
+  if (along <= 0.05f) return light.radiance;
+  return light.radiance * std::clamp(light.towards.dot(normal) / along, 0.0f, 2.0f);
+}
+
+}  // namespace
+
+std::string LightCacheOptions::fault() const {
+  return memory_gib >= 0.01 && memory_gib <= 1024 ? "" : "cache_memory: must lie in [0.01, 1024] GiB";
+}
+
+LightCache::LightCache(const Scene& scene, const RenderScene& lit, int max_shaded_vertices,
+                       LightCacheOptions options)
+    : scene_(lit),
+      sizes_(make_cell_sizes(scene)),
+      max_shaded_vertices_(max_shaded_vertices),
+      max_cells_(static_cast<std::size_t>(options.memory_gib * 0x1p30 / bytes_per_cell)) {}
+
+void LightCache::make_room() {
+  if (cells_.size() > max_cells_ / 4 * 3) cells_.clear();
+}
+
+LightCacheSummary LightCache::summary() const {
+  return {cells_.size(), static_cast<double>(cells_.size()) * bytes_per_cell / 0x1p30};
+}
+
+CellLight LightCache::light_of(const Cell& cell, Path& path) {
+  if (const auto kept = cells_.find(cell); kept != cells_.end()) return kept->second;
+  const CellLight light = compute_cell_light(scene_, max_shaded_vertices_, cell, path.rays);
+  if (cells_.size() < max_cells_) cells_.emplace(cell, light);
+  return light;
+}
+
+std::optional<Color> LightCache::light_at(Path& path, const Hit& hit, const Surface& surface) {
+  const Placement& placement = scene_.placed.placements[hit.placement];
+  const Geometry& geometry = scene_.placed.geometries[placement.geometry];
+  if (placement.rides || geometry.viewer_only) return {};
+  if (!scene_.car_bounds.isEmpty() && scene_.car_bounds.exteriorDistance(surface.position) < car_room_m)
+    return {};
+
+  const bool is_averaged = path.min_roughness > sharp_roughness;
+  const Eigen::Vector2f place = lookup_pair(path, pair_place) - Eigen::Vector2f::Constant(0.5f);
+  const std::uint32_t facing = facing_of(surface.geometric_normal), material = ids_of(scene_, hit).material;
+  const Frame plane = frame_around(surface.geometric_normal);
+  const int level = drawn_level(sizes_.level_at(surface.position), lookup_pair(path, pair_level).x()) +
+                    (is_averaged ? levels_after_bounce : 0);
+  if (is_averaged && hit.t < 2 * cell_size_m(level)) return {};
+  const int last = is_averaged ? level : std::max(0, level - max_divisions);
+  for (int l = level; l >= last; --l) {
+    // A place beside mixes neighbouring cells; where the surface ends, its own cell.
+    const Vec3 beside =
+        surface.position + cell_size_m(l) * (place.x() * plane.tangent + place.y() * plane.bitangent);
+    CellLight light = light_of(cell_at(beside, l, facing, material), path);
+    if (!light.is_known) light = light_of(cell_at(surface.position, l, facing, material), path);
+    if (light.is_known && (!light.is_near || is_averaged || is_foliage(*geometry.material)))
+      return tilted(light, surface.shading.normal, surface.geometric_normal);
+  }
+  return {};
+}
+
+}  // namespace cps

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <tbb/concurrent_unordered_map.h>
+
+#include <atomic>
+#include <optional>
+
+#include "renderer/cache/cell_light.h"
+#include "renderer/cache/cell_sizes.h"
+#include "renderer/paths/path.h"
+#include "renderer/paths/surface.h"
+
+namespace cps {
+
+struct LightCacheOptions {
+  double memory_gib = 1;  ///< for cells
+
+  /// Empty if the options are usable; otherwise one line that names the field and the fix.
+  std::string fault() const;
+};
+
+struct LightCacheSummary {
+  std::uint64_t cells = 0;  ///< kept
+  double memory_gib = 0;
+};
+
+/// Light of a scene in one condition, kept in cells of world space and computed when it is first asked for. A
+/// cell's light is a pure function of scene, light and cell (cell_light.h): it does not matter who asks,
+/// in which order, and what is forgotten meanwhile. Any number of threads may ask.
+class LightCache {
+ public:
+  /// `scene` and `lit` are the same scene; `lit` must outlive the cache.
+  LightCache(const Scene& scene, const RenderScene& lit, int max_shaded_vertices, LightCacheOptions options = {});
+
+  /// Forgets all cells if they take most of the memory. Not while the scene is rendered.
+  void make_room();
+
+  /// What cells say of the light at a surface that the path has hit, `distance_m` from where it came: radiance
+  /// of white paper there, without sun and lamps. Empty where the light may change within the smallest cells;
+  /// then paths must find it. Adds the rays traced for it to path.rays.
+  std::optional<Color> light_at(Path& path, const Hit& hit, const Surface& surface);
+
+  LightCacheSummary summary() const;
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Cell& cell) const { return cell.hash(); }
+  };
+
+  CellLight light_of(const Cell& cell, Path& path);
+
+  const RenderScene& scene_;
+  CellSizes sizes_;
+  int max_shaded_vertices_;
+  std::size_t max_cells_;
+  tbb::concurrent_unordered_map<Cell, CellLight, Hash> cells_;
+};
+
+}  // namespace cps
