@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/cache/cached_paths.h"
+#include "renderer/cache/light_cache.h"
+#include "renderer/paths/path_steps.h"
 
 namespace cps {
 namespace {
@@ -43,7 +44,8 @@ Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int
 
 void trace_packet(const RenderScene& scene, const RenderOptions& options, Path (&paths)[packet_size]) {
   if (options.cache)
-    trace_cached_paths(scene, *options.cache, options.max_shaded_vertices, paths);
+    trace_paths_with(scene, true, paths,
+                     [&](Path& path, const Hit& hit) { return options.cache->shade(path, hit); });
   else
     trace_paths(scene, options.max_shaded_vertices, paths);
 }

@@ -21,7 +21,7 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   PixelFilter filter = PixelFilter::box;
   LightCache* cache = nullptr;  ///< of the scene (light_cache.h); null: all light is traced
-  TileProgress progress = {};  ///< called after every tile; may be empty
+  TileProgress progress = {};   ///< called after every tile; may be empty
 
   /// Empty if the options are usable; otherwise one line that names the field and the fix.
   std::string fault() const;

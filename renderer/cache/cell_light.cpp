@@ -4,15 +4,16 @@
 #include <optional>
 
 #include "renderer/paths/hit_ids.h"
-#include "renderer/paths/path_steps.h"
 
 namespace cps {
 namespace {
 
-constexpr int points_per_cell = 64;
-constexpr int min_points = 8;
-constexpr int max_layers = 4;          ///< surfaces of other cells that a ray through a cell may pass
-constexpr float near_cells = 2;        ///< a surface within so many cells is near
+/// Points drawn in a cell, and in one whose light is uncertain by more than max_error after the first.
+constexpr int first_points = 64, most_points = 256;
+constexpr float max_error = 0.04f;
+constexpr int min_points = 8;    ///< found among the first
+constexpr int max_layers = 4;    ///< surfaces of other cells that a ray through a cell may pass
+constexpr float near_cells = 2;  ///< a surface within so many cells is near
 constexpr float max_near_share = 0.05f;
 constexpr float spread_after_diffuse = 0.25f, roughness_after_diffuse = 0.6f;
 
@@ -69,9 +70,9 @@ std::optional<SurfacePoint> find_point(const RenderScene& scene, const Cell& cel
       Vec3 normal = triangle.normal / length;
       if (normal.dot(ray.direction) > 0.0f) normal = -normal;
       if (ids_of(scene, hit).material == cell.material && facing_of(normal) == cell.facing)
-        return SurfacePoint{interpolate(triangle.positions[0], triangle.positions[1], triangle.positions[2],
-                                        hit.u, hit.v),
-                            normal, rounding_of(triangle)};
+        return SurfacePoint{
+            interpolate(triangle.positions[0], triangle.positions[1], triangle.positions[2], hit.u, hit.v),
+            normal, rounding_of(triangle)};
     }
     ray.t_near = hit.t + std::max(rounding_of(triangle), 1e-6f * hit.t);
   }
@@ -114,10 +115,18 @@ struct CellSum {
   Color radiance = Color::Zero();
   Vec3 towards = Vec3::Zero();
   Vec3 normal = Vec3::Zero();
+  float luminance = 0, squares = 0;
+
+  /// Standard error of the mean luminance over the mean, as if points were independent.
+  float relative_error() const {
+    const auto n = static_cast<float>(points);
+    const float variance = std::max(squares - luminance * luminance / n, 0.0f) / (n - 1);
+    return luminance > 0.0f ? std::sqrt(n * variance) / luminance : 0.0f;
+  }
 };
 
 /// Traces the paths of up to a packet of points and adds what they bring.
-void trace_points(const RenderScene& scene, int max_shaded_vertices, const Cell& cell,
+void trace_points(const RenderScene& scene, const Cell& cell, const ShadeVertex& shade,
                   const Surface (&surfaces)[packet_size], const SobolSample (&randoms)[packet_size],
                   const bool (&found)[packet_size], CellSum& sum, std::uint32_t& rays) {
   const float size = cell_size_m(cell.level);
@@ -147,9 +156,7 @@ void trace_points(const RenderScene& scene, int max_shaded_vertices, const Cell&
       is_near[i] = hit.t < near_cells * size;
       is_buried[i] = hit.t < size && is_culled(scene.placed, path.ray, hit);
     }
-    Surface surface;
-    if (!meet_surface(scene, max_shaded_vertices, path, hit, surface)) return {};
-    return light_and_scatter(scene, path, surface);
+    return shade(path, hit);
   });
 
   for (int i = 0; i < packet_size; ++i) {
@@ -158,25 +165,29 @@ void trace_points(const RenderScene& scene, int max_shaded_vertices, const Cell&
     ++sum.points;
     sum.near += is_near[i];
     sum.radiance += paths[i].radiance;
+    const float brightness = luminance(paths[i].radiance);
+    sum.luminance += brightness;
+    sum.squares += brightness * brightness;
     sum.normal += surfaces[i].geometric_normal;
     // Light samples of the sky count for the mean direction, too, each in its own.
     const float drawn = luminance(paths[i].radiance - by_sample[i]) / std::max(cosines[i], 0.1f);
     sum.towards += drawn * directions[i];
     if (sky_rays[i].wanted) {
       const Vec3& direction = sky_rays[i].ray.direction;
-      sum.towards += luminance(by_sample[i]) /
-                     std::max(surfaces[i].geometric_normal.dot(direction), 0.1f) * direction;
+      sum.towards +=
+          luminance(by_sample[i]) / std::max(surfaces[i].geometric_normal.dot(direction), 0.1f) * direction;
     }
   }
 }
 
 }  // namespace
 
-CellLight compute_cell_light(const RenderScene& scene, int max_shaded_vertices, const Cell& cell,
+CellLight compute_cell_light(const RenderScene& scene, const Cell& cell, const ShadeVertex& shade,
                              std::uint32_t& rays) {
   const std::uint64_t key = cell.hash();
   CellSum sum;
-  for (int first = 0; first < points_per_cell; first += packet_size) {
+  for (int first = 0; first < most_points; first += packet_size) {
+    if (first == first_points && (sum.points < min_points || sum.relative_error() < max_error)) break;
     SobolSample randoms[packet_size];
     Surface surfaces[packet_size];
     bool found[packet_size];
@@ -187,7 +198,7 @@ CellLight compute_cell_light(const RenderScene& scene, int max_shaded_vertices, 
       if (point) surfaces[i] = white_surface(*point);
     }
     if (std::ranges::any_of(found, [](bool is) { return is; }))
-      trace_points(scene, max_shaded_vertices, cell, surfaces, randoms, found, sum, rays);
+      trace_points(scene, cell, shade, surfaces, randoms, found, sum, rays);
   }
   CellLight light;
   light.is_known = sum.points >= min_points;
@@ -196,7 +207,8 @@ CellLight compute_cell_light(const RenderScene& scene, int max_shaded_vertices, 
   light.radiance = sum.radiance / count;
   light.is_near = static_cast<float>(sum.near) > max_near_share * count;
   // One that points along the cell's normals where there is no light at all.
-  light.towards = sum.towards.squaredNorm() > 0.0f ? Vec3(sum.towards.normalized()) : Vec3(sum.normal.normalized());
+  light.towards =
+      sum.towards.squaredNorm() > 0.0f ? Vec3(sum.towards.normalized()) : Vec3(sum.normal.normalized());
   return light;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
+
 #include "renderer/cache/cell.h"
-#include "renderer/paths/render_scene.h"
+#include "renderer/paths/path_steps.h"
 
 namespace cps {
 
@@ -16,9 +18,13 @@ struct CellLight {
   bool is_near = false;   ///< other surfaces stand so close that the light may change within the cell
 };
 
-/// A pure function of scene, light and cell. Draws points on the cell's surfaces by rays through the cell and
-/// traces paths from them, which pass what rides with the car. Adds the traced rays to `rays`.
-CellLight compute_cell_light(const RenderScene& scene, int max_shaded_vertices, const Cell& cell,
+/// Deals with the surface that a path hits, see trace_paths_with().
+using ShadeVertex = std::function<SunAndSkyRays(Path&, const Hit&)>;
+
+/// A pure function of scene, light and cell, if `shade` is one of path and hit. Draws points on the cell's
+/// surfaces by rays through the cell and traces paths from them, which pass what rides with the car. Adds the
+/// traced rays to `rays`.
+CellLight compute_cell_light(const RenderScene& scene, const Cell& cell, const ShadeVertex& shade,
                              std::uint32_t& rays);
 
 }  // namespace cps

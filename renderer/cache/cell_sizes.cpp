@@ -6,8 +6,8 @@
 namespace cps {
 namespace {
 
-constexpr float nearest_level = 2;      // half a metre
-constexpr float fine_distance_m = 16;   // up to here; beyond, cells grow with the distance
+constexpr float nearest_level = 2;     // half a metre
+constexpr float fine_distance_m = 16;  // up to here; beyond, cells grow with the distance
 constexpr int max_nodes_per_side = 256;
 
 Eigen::Vector2f level_ground(const Eigen::Vector3f& point) {
@@ -40,8 +40,8 @@ float CellSizes::level_at(const Eigen::Vector3f& position) const {
   const int x0 = std::min(static_cast<int>(x), nx - 2), z0 = std::min(static_cast<int>(z), nz - 2);
   const auto node = [&](int i, int j) { return lane_distance_m[(z0 + j) * nx + x0 + i]; };
   const float u = x - static_cast<float>(x0), v = z - static_cast<float>(z0);
-  const float ground_m = (1 - v) * ((1 - u) * node(0, 0) + u * node(1, 0)) +
-                         v * ((1 - u) * node(0, 1) + u * node(1, 1));
+  const float ground_m =
+      (1 - v) * ((1 - u) * node(0, 0) + u * node(1, 0)) + v * ((1 - u) * node(0, 1) + u * node(1, 1));
   const float distance_m = std::hypot(ground_m, position.y() - lane_height_m);
   return nearest_level + std::log2(std::max(1.0f, distance_m / fine_distance_m));
 }

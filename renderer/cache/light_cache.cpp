@@ -11,9 +11,13 @@ namespace {
 /// Cells that are near others are divided down to so many levels below.
 constexpr int max_divisions = 2;
 
-/// What a path sees after it scattered is averaged over a lobe: larger cells do, however near others are.
+/// What a path sees after it scattered is a small part of the picture, or averaged over a lobe: larger cells
+/// do, however near others are.
 constexpr int levels_after_bounce = 2;
-constexpr float sharp_roughness = 0.15f;
+
+/// Light of the base is known, so that all that is left to chance is the layer above: it is drawn more often
+/// than by its share of the light.
+constexpr float layer_draws = 3;
 
 /// Room to each side of the car within which its shadow in the sky's light counts.
 constexpr float car_room_m = 3;
@@ -71,9 +75,28 @@ LightCacheSummary LightCache::summary() const {
 
 CellLight LightCache::light_of(const Cell& cell, Path& path) {
   if (const auto kept = cells_.find(cell); kept != cells_.end()) return kept->second;
-  const CellLight light = compute_cell_light(scene_, max_shaded_vertices_, cell, path.rays);
+  // Far light is traced to its end; near light finds far light where its paths hit something.
+  const auto shade = [&](Path& from_cell, const Hit& hit) {
+    return cell.is_far ? shade_vertex(scene_, max_shaded_vertices_, from_cell, hit)
+                       : this->shade(from_cell, hit);
+  };
+  const CellLight light = compute_cell_light(scene_, cell, shade, path.rays);
   if (cells_.size() < max_cells_) cells_.emplace(cell, light);
   return light;
+}
+
+SunAndSkyRays LightCache::shade(Path& path, const Hit& hit) {
+  Surface surface;
+  if (!meet_surface(scene_, max_shaded_vertices_, path, hit, surface)) return {};
+  const Color albedo = base_albedo(surface.bsdf);
+  const auto light = (albedo > 0.0f).any() ? light_at(path, hit, surface) : std::nullopt;
+  if (light) {
+    const Color reflected = path.throughput * albedo * *light;
+    path.radiance += reflected;
+    if (path.record) path.record->vertices.back().cached = reflected;
+    leave_out_base(surface.bsdf, layer_draws);
+  }
+  return light_and_scatter(scene_, path, surface);
 }
 
 std::optional<Color> LightCache::light_at(Path& path, const Hit& hit, const Surface& surface) {
@@ -83,21 +106,21 @@ std::optional<Color> LightCache::light_at(Path& path, const Hit& hit, const Surf
   if (!scene_.car_bounds.isEmpty() && scene_.car_bounds.exteriorDistance(surface.position) < car_room_m)
     return {};
 
-  const bool is_averaged = path.min_roughness > sharp_roughness;
+  const bool is_far = path.shaded_vertices > 0;
   const Eigen::Vector2f place = lookup_pair(path, pair_place) - Eigen::Vector2f::Constant(0.5f);
   const std::uint32_t facing = facing_of(surface.geometric_normal), material = ids_of(scene_, hit).material;
   const Frame plane = frame_around(surface.geometric_normal);
   const int level = drawn_level(sizes_.level_at(surface.position), lookup_pair(path, pair_level).x()) +
-                    (is_averaged ? levels_after_bounce : 0);
-  if (is_averaged && hit.t < 2 * cell_size_m(level)) return {};
-  const int last = is_averaged ? level : std::max(0, level - max_divisions);
+                    (is_far ? levels_after_bounce : 0);
+  if (is_far && hit.t < 2 * cell_size_m(level)) return {};
+  const int last = is_far ? level : std::max(0, level - max_divisions);
   for (int l = level; l >= last; --l) {
     // A place beside mixes neighbouring cells; where the surface ends, its own cell.
     const Vec3 beside =
         surface.position + cell_size_m(l) * (place.x() * plane.tangent + place.y() * plane.bitangent);
-    CellLight light = light_of(cell_at(beside, l, facing, material), path);
-    if (!light.is_known) light = light_of(cell_at(surface.position, l, facing, material), path);
-    if (light.is_known && (!light.is_near || is_averaged || is_foliage(*geometry.material)))
+    CellLight light = light_of(cell_at(beside, l, facing, is_far, material), path);
+    if (!light.is_known) light = light_of(cell_at(surface.position, l, facing, is_far, material), path);
+    if (light.is_known && (!light.is_near || is_far || is_foliage(*geometry.material)))
       return tilted(light, surface.shading.normal, surface.geometric_normal);
   }
   return {};

@@ -7,8 +7,6 @@
 
 #include "renderer/cache/cell_light.h"
 #include "renderer/cache/cell_sizes.h"
-#include "renderer/paths/path.h"
-#include "renderer/paths/surface.h"
 
 namespace cps {
 
@@ -30,15 +28,20 @@ struct LightCacheSummary {
 class LightCache {
  public:
   /// `scene` and `lit` are the same scene; `lit` must outlive the cache.
-  LightCache(const Scene& scene, const RenderScene& lit, int max_shaded_vertices, LightCacheOptions options = {});
+  LightCache(const Scene& scene, const RenderScene& lit, int max_shaded_vertices,
+             LightCacheOptions options = {});
 
   /// Forgets all cells if they take most of the memory. Not while the scene is rendered.
   void make_room();
 
-  /// What cells say of the light at a surface that the path has hit, `distance_m` from where it came: radiance
-  /// of white paper there, without sun and lamps. Empty where the light may change within the smallest cells;
-  /// then paths must find it. Adds the rays traced for it to path.rays.
+  /// What cells say of the light at a surface that the path has hit, `distance_m` from where it came:
+  /// radiance of white paper there, without sun and lamps. Empty where the light may change within the
+  /// smallest cells; then paths must find it. Adds the rays traced for it to path.rays.
   std::optional<Color> light_at(Path& path, const Hit& hit, const Surface& surface);
+
+  /// As shade_vertex() of a path in the scene, but takes the light of a diffuse base from the cache wherever
+  /// it knows it. The layer above, mirrors and glass lead on to the next surface.
+  SunAndSkyRays shade(Path& path, const Hit& hit);
 
   LightCacheSummary summary() const;
 

@@ -151,6 +151,16 @@ BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eig
   return sample;
 }
 
+void leave_out_base(Bsdf& bsdf, float times) {
+  bsdf.draws_base = false;
+  const float others = 1.0f - bsdf.diffuse_probability;
+  if (!(others > 0.0f)) return;
+  const float scale = std::min(times, 1.0f / others);
+  bsdf.specular_probability *= scale;
+  bsdf.straight_probability *= scale;
+  bsdf.diffuse_probability = 1.0f - others * scale;
+}
+
 Color base_albedo(const Bsdf& bsdf) {
   if (!bsdf.has_layer) return bsdf.diffuse;
   return bsdf.diffuse * bsdf.base_share *

@@ -44,8 +44,8 @@ struct Bsdf {
   float specular_probability;  ///< of sampling the layer
   float diffuse_probability;
   float straight_probability;
-  Color straight;  ///< fraction of light that passes straight through thin glass
-  Coat coat;       ///< sampled in all other cases
+  Color straight;          ///< fraction of light that passes straight through thin glass
+  Coat coat;               ///< sampled in all other cases
   bool draws_base = true;  ///< false: sample_bsdf() leaves out the diffuse base, whose light is known
 };
 
@@ -73,6 +73,10 @@ struct BsdfSample {
   Kind kind;
 };
 BsdfSample sample_bsdf(const Bsdf& bsdf, const Vec3& wo, float u_lobe, const Eigen::Vector2f& u);
+
+/// Leaves the diffuse base out of what sample_bsdf() draws, and draws the others `times` as often, if there
+/// is room.
+void leave_out_base(Bsdf& bsdf, float times);
 
 /// Share of light that the diffuse base sends towards wo, if the same light comes from everywhere.
 Color base_albedo(const Bsdf& bsdf);

@@ -214,10 +214,8 @@ SunAndSkyRays light_and_scatter(const RenderScene& scene, Path& path, const Surf
 }
 
 void trace_paths(const RenderScene& scene, int max_shaded_vertices, Path (&paths)[packet_size]) {
-  trace_paths_with(scene, true, paths, [&](Path& path, const Hit& hit) -> SunAndSkyRays {
-    Surface surface;
-    if (!meet_surface(scene, max_shaded_vertices, path, hit, surface)) return {};
-    return light_and_scatter(scene, path, surface);
+  trace_paths_with(scene, true, paths, [&](Path& path, const Hit& hit) {
+    return shade_vertex(scene, max_shaded_vertices, path, hit);
   });
 }
 

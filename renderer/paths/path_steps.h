@@ -14,8 +14,7 @@ struct SunAndSkyRays {
 
 /// The surfaces that the living paths meet next. `coherent`: their rays have similar origins and directions.
 /// Prefetches what shading them will read.
-void next_hits(const RenderScene& scene, bool coherent, Path (&paths)[packet_size],
-               Hit (&hits)[packet_size]);
+void next_hits(const RenderScene& scene, bool coherent, Path (&paths)[packet_size], Hit (&hits)[packet_size]);
 
 /// Adds the light of sun and sky to a path that met nothing, and ends it.
 void leave_scene(const RenderScene& scene, Path& path);
@@ -27,6 +26,14 @@ bool meet_surface(const RenderScene& scene, int max_shaded_vertices, Path& path,
 
 /// Adds the light that lamps send to the surface and sends the path on.
 SunAndSkyRays light_and_scatter(const RenderScene& scene, Path& path, const Surface& surface);
+
+/// meet_surface() and light_and_scatter() in turn.
+inline SunAndSkyRays shade_vertex(const RenderScene& scene, int max_shaded_vertices, Path& path,
+                                  const Hit& hit) {
+  Surface surface;
+  if (!meet_surface(scene, max_shaded_vertices, path, hit, surface)) return {};
+  return light_and_scatter(scene, path, surface);
+}
 
 /// Traces the paths that are alive to their ends. `shade(path, hit)` deals with each surface that one hits
 /// and returns the SunAndSkyRays to trace. `coherent_start`: as for next_hits(), of the first rays and the

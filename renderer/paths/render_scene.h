@@ -16,7 +16,7 @@ struct RenderScene {
   Materials materials;
   PlacedGeometry placed;
   std::vector<Eigen::Affine3f>
-      vehicle_from_mesh;  ///< of the placements that ride with the car, in their order
+      vehicle_from_mesh;           ///< of the placements that ride with the car, in their order
   Eigen::AlignedBox3f car_bounds;  ///< of what rides with the car, where it is now; empty: nothing does
   Bvh bvh;
   Lamps lamps;

@@ -83,9 +83,10 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
         "many");
   visit("max_shaded_vertices", r.max_shaded_vertices,
         "surfaces along a path at which light is gathered, 1 to 64");
-  visit("light_method", r.light_method,
-        "traced: paths follow all light; cached: light of the sky and between surfaces is kept in cells of the "
-        "scene, which has less noise at a fraction of the cost");
+  visit(
+      "light_method", r.light_method,
+      "traced: paths follow all light; cached: light of the sky and between surfaces is kept in cells of the "
+      "scene, which has less noise at a fraction of the cost");
   visit("exposure_bias_min_ev", r.sensor.exposure_bias_min_ev,
         "darkest exposure to draw, stops against the metered one, -10 to 10");
   visit("exposure_bias_max_ev", r.sensor.exposure_bias_max_ev,

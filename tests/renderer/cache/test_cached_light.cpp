@@ -74,7 +74,8 @@ Camera down_the_street(int width = 96, int height = 64) {
 TEST_CASE("under the same light from everywhere, cached light is that light, whatever the material") {
   for (const float roughness : {0.1f, 0.5f, 1.0f})
     for (const float metallic : {0.0f, 1.0f}) {
-      Cached flat(scene_of(material({0.5f, 0.5f, 0.5f, 1}, metallic, roughness), ground()), constant_light(2));
+      Cached flat(scene_of(material({0.5f, 0.5f, 0.5f, 1}, metallic, roughness), ground()),
+                  constant_light(2));
       const Camera view = camera({0, 3, 4}, {0, 0, 0}, 24, 16, 50);
       CHECK(mean_difference(flat.picture(view, 64), flat.traced(view, 256)) < 0.004);
     }
@@ -103,8 +104,8 @@ TEST_CASE("cached and traced light agree in a street with sun, sky, lamp, steps 
 }
 
 TEST_CASE("a floor beside a wall is darkened as form factors say") {
-  // A black wall, infinitely long and high as seen from near it: at distance x it hides half of the sky's light, and at any
-  // x the same; of finite height h, the floor keeps (1 + x / √(x² + h²)) / 2.
+  // A black wall, infinitely long and high as seen from near it: at distance x it hides half of the sky's
+  // light, and at any x the same; of finite height h, the floor keeps (1 + x / √(x² + h²)) / 2.
   Scene scene;
   scene.materials = {lambert({1, 1, 1, 1}), lambert({0, 0, 0, 1})};
   add(scene, quad({-400, 0, 400}, {800, 0, 0}, {0, 0, -800}, 0));
@@ -134,7 +135,8 @@ TEST_CASE("light stays on its side of a wall without thickness") {
       add(scene, quad(corner, a, b));
     }
   Cached room(scene, constant_light(1));
-  for (const Eigen::Vector3d& at : {Eigen::Vector3d(1, 1, -3), Eigen::Vector3d(3, 2, 1), Eigen::Vector3d(-1, 0, 2)})
+  for (const Eigen::Vector3d& at :
+       {Eigen::Vector3d(1, 1, -3), Eigen::Vector3d(3, 2, 1), Eigen::Vector3d(-1, 0, 2)})
     CHECK(mean(room.picture(camera({0, 1.5, 0.2}, at, 32, 32, 100), 4)).maxCoeff() == 0);
   // From outside it is as bright as paper under that sky.
   const OIIO::ImageBuf outside = room.picture(camera({0, 1.5, 9}, {0, 1.5, 0}, 16, 16, 5), 16);
@@ -179,8 +181,9 @@ TEST_CASE("what rides with the car shades the road where it is, and leaves nothi
   Scene scene;
   scene.materials = {lambert({0.5f, 0.5f, 0.5f, 1})};
   scene.meshes = {ground(), sphere(0.5f)};
-  scene.instances = {{.mesh = 0},
-                     {.mesh = 1, .world_from_mesh = Eigen::Affine3f(Eigen::Translation3f(0, 0, 0.7f)), .rides = true}};
+  scene.instances = {
+      {.mesh = 0},
+      {.mesh = 1, .world_from_mesh = Eigen::Affine3f(Eigen::Translation3f(0, 0, 0.7f)), .rides = true}};
   Cached made(scene, constant_light(1));
   const auto below_car = [&](double x) {
     put_car(made.lit, world_from_vehicle(Place{.position = {x, 0, 0}}));
