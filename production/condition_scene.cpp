@@ -1,16 +1,37 @@
 #include "production/condition_scene.h"
 
+#include <utility>
+
 #include "production/scene_files.h"
 
 namespace cps {
 
+std::shared_ptr<RenderScene> load_condition(const Plan& plan, int condition) {
+  const PlannedCondition& planned = plan.conditions[condition];
+  return build_render_scene(load_scene(plan.scenes[planned.scene], plan.recipe), planned.light.daylight);
+}
+
 RenderScene& ConditionScene::of(const Plan& plan, const PlannedView& view) {
   if (condition_ == view.condition) return *scene_;
-  const PlannedCondition& planned = plan.conditions[view.condition];
-  scene_.reset();  // before loading the next one, which would double the memory
-  scene_ = build_render_scene(load_scene(plan.scenes[planned.scene], plan.recipe), planned.light.daylight);
+  condition_ = -1;
+  scene_.reset();  // before another one loads, which would be a scene more in memory
+  std::future<std::shared_ptr<RenderScene>> prefetched = std::move(next_scene_);
+  if (std::exchange(next_condition_, -1) == view.condition) {
+    scene_ = prefetched.get();
+  } else {
+    prefetched = {};  // waits for a scene that nobody wants
+    scene_ = load_(plan, view.condition);
+  }
   condition_ = view.condition;
   return *scene_;
+}
+
+void ConditionScene::prefetch(const Plan& plan, const PlannedView& view) {
+  if (next_condition_ >= 0 || view.condition == condition_) return;
+  next_scene_ = std::async(std::launch::async, [load = load_, &plan, condition = view.condition] {
+    return load(plan, condition);
+  });
+  next_condition_ = view.condition;
 }
 
 }  // namespace cps

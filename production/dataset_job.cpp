@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <boost/program_options/parsers.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "dataset/labels/group_label.h"
 #include "production/drive_text.h"
 #include "production/load_scene.h"
 #include "production/scene_files.h"
+#include "sampler/plan/place_views.h"
 #include "sampler/recipe/rig_file.h"
 
 namespace po = boost::program_options;
@@ -38,6 +40,21 @@ std::string scenes_text(const DatasetJob& job) {
   for (std::size_t s = 0; s < job.scenes.size(); ++s)
     text += "sha256 of " + job.scenes[s].file.filename().string() + " = " + job.scene_sha256[s] + "\n";
   return text;
+}
+
+/// Makes and hashes the files of some scenes, indices into job.scenes, and compares with the folder's job.
+void prepare(DatasetJob& job, const std::vector<int>& scenes, const fs::path& root) {
+  std::vector<PlannedScene> wanted;
+  for (int s : scenes) wanted.push_back(job.scenes[s]);
+  make_scene_files(wanted, root / ".cps");
+  job.scene_sha256.resize(job.scenes.size());
+  for (int s : scenes) job.scene_sha256[s] = scene_hash(job.scenes[s]);
+  job.text.scenes = scenes_text(job);
+  require_same_job(root, job.text);
+}
+
+LoadDrivenScene loader_of(const DatasetJob& job, const Watch& watch) {
+  return [&](const fs::path& file) { return load_scene(file, job.drive, watch); };
 }
 
 }  // namespace
@@ -71,20 +88,32 @@ DatasetJob job_of_folder(const fs::path& root) try {
   throw std::runtime_error((root / ".cps" / "job.json").string() + ": " + error.what());
 }
 
+void require_scenes(const DatasetJob& job) {
+  require_given_files(job.scenes);
+}
+
 void prepare_scenes(DatasetJob& job, const fs::path& root) {
-  make_scene_files(job.scenes, root / ".cps");
-  job.scene_sha256 = scene_hashes(job.scenes);
-  job.text.scenes = scenes_text(job);
-  require_same_job(root, job.text);
+  std::vector<int> all(job.scenes.size());
+  std::iota(all.begin(), all.end(), 0);
+  prepare(job, all, root);
 }
 
 bool has_scenes(const DatasetJob& job) {
   return std::ranges::all_of(job.scenes, [](const PlannedScene& scene) { return fs::exists(scene.file); });
 }
 
+Plan outline_of(const DatasetJob& job) {
+  return outline_plan(job.recipe, job.rig, job.scenes);
+}
+
+void prepare_views(DatasetJob& job, Plan& plan, const std::vector<std::int64_t>& views, const fs::path& root,
+                   const Watch& watch) {
+  prepare(job, scenes_of(plan, views), root);
+  place_views(plan, views, loader_of(job, watch));
+}
+
 Plan plan_of(const DatasetJob& job, const Watch& watch) {
-  return make_plan(job.recipe, job.rig, job.scenes,
-                   [&](const fs::path& file) { return load_scene(file, job.drive, watch); });
+  return make_plan(job.recipe, job.rig, job.scenes, loader_of(job, watch));
 }
 
 }  // namespace cps

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -30,10 +31,10 @@ struct ViewInFlight {
 class ViewLine {
  public:
   ViewLine(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
-           const std::filesystem::path& root, const Watch& watch)
-      : plan_(plan), views_(views), journal_(journal), root_(root), watch_(watch) {}
+           const std::filesystem::path& root, int threads, const Watch& watch)
+      : plan_(plan), views_(views), journal_(journal), root_(root), threads_(threads), watch_(watch) {}
 
-  void run(std::size_t max_in_flight) {
+  void run() {
     using Token = std::shared_ptr<ViewInFlight>;
     const auto render = [this](tbb::flow_control& flow) -> Token {
       Token view;
@@ -51,7 +52,7 @@ class ViewLine {
     const auto enter = [this](const Token& view) {
       if (!view->made.record.images.empty()) attempt([&] { append(view->made); });
     };
-    tbb::parallel_pipeline(max_in_flight,
+    tbb::parallel_pipeline(static_cast<std::size_t>(views_in_flight(threads_)),
                            tbb::make_filter<void, Token>(tbb::filter_mode::serial_in_order, render) &
                                tbb::make_filter<Token, Token>(tbb::filter_mode::parallel, images) &
                                tbb::make_filter<Token, void>(tbb::filter_mode::serial_out_of_order, enter));
@@ -91,13 +92,22 @@ class ViewLine {
     auto in_flight = std::make_shared<ViewInFlight>(ViewInFlight{.view = views_[next_++]});
     const PlannedView& view = plan_.views[in_flight->view];
     was_given_up_ = true;  // until it is rendered
-    in_flight->halves =
-        render_halves(plan_.recipe, view, view.master, loaded_.of(plan_, view), [this](int, int) {
-          if (must_stop()) throw Interrupted();
-        });
+    RenderScene& scene = loaded_.of(plan_, view);
+    if (scenes_in_memory(threads_) > 1) prefetch_after(view);
+    in_flight->halves = render_halves(plan_.recipe, view, view.master, scene, [this](int, int) {
+      if (must_stop()) throw Interrupted();
+    });
     summary_.cpu.render_s += in_flight->halves.cpu_s;
     was_given_up_ = false;
     return in_flight;
+  }
+
+  /// Begins to load the scene of the next condition, if there is one and it is not loading yet.
+  void prefetch_after(const PlannedView& view) {
+    const auto next =
+        std::find_if(views_.begin() + static_cast<std::ptrdiff_t>(next_), views_.end(),
+                     [&](std::int64_t v) { return plan_.views[v].condition != view.condition; });
+    if (next != views_.end()) loaded_.prefetch(plan_, plan_.views[*next]);
   }
 
   void append(const MadeImages& made) {
@@ -115,6 +125,7 @@ class ViewLine {
   const std::vector<std::int64_t>& views_;
   Journal& journal_;
   const std::filesystem::path& root_;
+  const int threads_;
   const Watch& watch_;
 
   std::size_t next_ = 0;
@@ -144,14 +155,18 @@ int views_in_flight(int threads) {
   return 2 + threads / 8;
 }
 
+int scenes_in_memory(int threads) {
+  return threads > 1 ? 2 : 1;
+}
+
 MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
                             const std::filesystem::path& root, int threads, const Watch& watch) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double cpu_begin_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
   OIIO::attribute("threads", 1);  // OpenImageIO starts none of its own: all threads are TBB's
-  ViewLine line(plan, views, journal, root, watch);
-  line.run(static_cast<std::size_t>(views_in_flight(threads)));
+  ViewLine line(plan, views, journal, root, threads, watch);
+  line.run();
   MakeViewsSummary summary = line.summary();
   summary.threads = threads;
   summary.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -22,6 +22,10 @@ struct MakeViewsSummary : RunTimes {
 /// ones are made, which is a small part of the work: few are enough.
 int views_in_flight(int threads);
 
+/// How many scenes make_views() keeps in memory at a time. With several threads, while one condition is
+/// rendered, the scene of the next one loads on a thread more, so that none of them has to wait for it.
+int scenes_in_memory(int threads);
+
 /// Renders views (indices into plan.views, in their order) and photographs each through its lenses into
 /// files. A view whose files are all written is entered in the journal. While one view is rendered the images
 /// of the previous ones are made. The files are the same for any number of threads. Where the watch stops it,

@@ -27,10 +27,14 @@ void make_missing_cities(const std::vector<PlannedScene>& scenes, const fs::path
 
 }  // namespace
 
-void make_scene_files(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder) {
+void require_given_files(const std::vector<PlannedScene>& scenes) {
   for (const PlannedScene& scene : scenes)
     if (!scene.city && !fs::is_regular_file(scene.file))
       throw std::runtime_error("scene: " + scene.file.string() + ": there is no such file");
+}
+
+void make_scene_files(const std::vector<PlannedScene>& scenes, const fs::path& lock_folder) {
+  require_given_files(scenes);
   for (bool wait : {false, true}) make_missing_cities(scenes, lock_folder, wait);
 }
 
@@ -42,10 +46,8 @@ Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
   return scene;
 }
 
-std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes) {
-  std::vector<std::string> hashes;
-  for (const PlannedScene& scene : scenes) hashes.push_back(sha256(read_file(scene.file)));
-  return hashes;
+std::string scene_hash(const PlannedScene& scene) {
+  return sha256(read_file(scene.file));
 }
 
 }  // namespace cps

@@ -9,16 +9,18 @@
 
 namespace cps {
 
+/// Throws std::runtime_error in one line when the file of a scene that is no procedural city is missing.
+void require_given_files(const std::vector<PlannedScene>& scenes);
+
 /// Makes the missing files of procedural cities. Processes that do so at the same time share the work: a city
-/// is made by the process that holds its lock in `lock_folder`. Throws std::runtime_error when the file of a
-/// scene that is no procedural city is missing.
+/// is made by the process that holds its lock in `lock_folder`. Throws as require_given_files() does.
 void make_scene_files(const std::vector<PlannedScene>& scenes, const std::filesystem::path& lock_folder);
 
 /// The scene as it is rendered: in metres, with the car's bonnet if the recipe asks for it. Throws as
 /// import_gltf() does.
 Scene load_scene(const PlannedScene& planned, const Recipe& recipe);
 
-/// SHA-256 of each scene's file.
-std::vector<std::string> scene_hashes(const std::vector<PlannedScene>& scenes);
+/// SHA-256 of the scene's file.
+std::string scene_hash(const PlannedScene& scene);
 
 }  // namespace cps

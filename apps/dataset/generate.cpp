@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <iostream>
 
 #include "apps/dataset/job_flags.h"
@@ -46,10 +48,18 @@ void make_remaining(const Plan& plan, const RemainingViews& remaining, const Sha
   if (summary.is_interrupted) throw Interrupted();
 }
 
+/// One line about the plan and, where places were drawn, about those.
+std::string brief(const Plan& plan) {
+  std::string line = fmt::format("{} views, {} groups, {} images", plan.views.size(), plan.groups.size(),
+                                 image_count(plan));
+  return plan.places.drawn > 0 ? line + "; " + plan.places.brief() : line;
+}
+
 int generate(const po::variables_map& values, int threads) {
   const fs::path root = values["out"].as<std::string>();
   const std::string name = root.string();
   const Shard shard = shard_from(values);
+  const bool is_whole = shard.count == 1;
   Watch watch = interruptible_watch();
   look_with_flags(values, watch);
 
@@ -59,22 +69,22 @@ int generate(const po::variables_map& values, int threads) {
     std::cout << name << ": is finished; nothing to do\n";
     return 0;
   }
-  prepare_scenes(job, root);
-  const Plan plan = plan_of(job, watch);
+  require_scenes(job);
+  Plan plan = outline_of(job);
 
   FileLock folder(folder_lock(root), FileLock::Kind::shared);
   if (!folder.is_held()) throw HeldByAnother(name + ": is just being finished by another process");
-  begin_job(root, job.text);
   Journal journal(root, shard);
-  std::cout << name << ": " << plan.views.size() << " views, " << plan.groups.size() << " groups, "
-            << image_count(plan) << " images; " << plan.places.brief() << "\n";
-
   const RemainingViews remaining = remaining_views(plan, shard, root, watch);
-  const std::string share = shard.count > 1 ? "shard " + to_string(shard) + ": " : "";
+  // A dataset is finished with the places of all its views; a shard needs those that it renders.
+  prepare_views(job, plan, is_whole ? all_views(plan) : remaining.views, root, watch);
+  begin_job(root, job.text);
+  std::cout << name << ": " << brief(plan) << "\n";
+  const std::string share = is_whole ? "" : "shard " + to_string(shard) + ": ";
   std::cout << share << remaining.views.size() << " views to make" << std::endl;
   if (!remaining.views.empty()) make_remaining(plan, remaining, shard, journal, root, threads, watch);
 
-  if (shard.count > 1) {
+  if (!is_whole) {
     std::cout << share << "made; when all are: cps finish " << name << "\n";
     return 0;
   }

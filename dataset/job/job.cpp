@@ -28,13 +28,31 @@ std::string first_difference(const std::string& before, const std::string& now) 
   return "";
 }
 
+/// Whether a line of Job::scenes has a hash.
+bool is_known(const std::string& scene_line) {
+  return !scene_line.empty() && !scene_line.ends_with("= ");
+}
+
+/// Job::scenes with every hash that one of two jobs of the same recipe knows; the first one's where both do.
+std::string joined_scenes(const std::string& first, const std::string& second) {
+  std::istringstream first_lines(first), second_lines(second);
+  for (std::string joined;;) {
+    std::string a, b;
+    std::getline(first_lines, a);
+    std::getline(second_lines, b);
+    if (!first_lines && !second_lines) return joined;
+    joined += (is_known(a) || b.empty() ? a : b) + "\n";
+  }
+}
+
 std::string first_difference(const Job& before, const Job& now) {
   for (const auto member : {&Job::recipe, &Job::rig, &Job::drive, &Job::generator}) {
     const std::string difference = first_difference(before.*member, now.*member);
     if (!difference.empty()) return difference;
   }
-  if (before.scenes.empty() || now.scenes.empty()) return "";
-  return first_difference(before.scenes, now.scenes);
+  // Where both orders of joining agree, no scene has two hashes.
+  return first_difference(joined_scenes(before.scenes, now.scenes),
+                          joined_scenes(now.scenes, before.scenes));
 }
 
 }  // namespace
@@ -69,13 +87,15 @@ void require_same_job(const fs::path& dataset, const Job& job) {
 void begin_job(const fs::path& dataset, const Job& job) {
   const FileLock one_at_a_time(dataset / ".cps" / "job.lock", FileLock::Kind::exclusive, true);
   require_same_job(dataset, job);
-  if (has_job(dataset)) return;
-  write_json(job_file(dataset), {{"recipe", job.recipe},
-                                 {"rig", job.rig},
-                                 {"drive", job.drive},
-                                 {"scenes", job.scenes},
-                                 {"generator", job.generator},
-                                 {"folder", job.folder.string()}});
+  const Job begun = has_job(dataset) ? read_job(dataset) : job;
+  const std::string scenes = joined_scenes(begun.scenes, job.scenes);
+  if (has_job(dataset) && scenes == begun.scenes) return;
+  write_json(job_file(dataset), {{"recipe", begun.recipe},
+                                 {"rig", begun.rig},
+                                 {"drive", begun.drive},
+                                 {"scenes", scenes},
+                                 {"generator", begun.generator},
+                                 {"folder", begun.folder.string()}});
 }
 
 }  // namespace cps

@@ -9,7 +9,9 @@ namespace cps {
 /// as text with one key per line.
 struct Job {
   std::string recipe, rig, drive;
-  std::string scenes = {};     ///< a line per scene with its SHA-256; empty while not known
+  /// A line `sha256 of NAME = HASH` per scene. HASH is empty for scenes that no process has used yet; all is
+  /// empty while nothing is known.
+  std::string scenes = {};
   std::string generator = {};  ///< program and version
   /// The folder that relative file names refer to. Jobs that differ only in it count as the same.
   std::filesystem::path folder = {};
@@ -23,11 +25,12 @@ bool has_job(const std::filesystem::path& dataset);
 Job read_job(const std::filesystem::path& dataset);
 
 /// Throws std::runtime_error when a different job was begun in `dataset`, naming the first line that differs.
-/// Scenes are compared only if both jobs know them.
+/// A scene is compared only if both jobs know its hash.
 void require_same_job(const std::filesystem::path& dataset, const Job& job);
 
-/// Writes the job's file if there is none. When several processes begin at once, one writes it and the others
-/// compare. Throws as require_same_job() does, or when the file cannot be written.
+/// Writes the job's file if there is none; otherwise compares, and adds the scenes that the file does not
+/// know. When several processes begin at once, they do so one after the other. Throws as require_same_job()
+/// does, or when the file cannot be written.
 void begin_job(const std::filesystem::path& dataset, const Job& job);
 
 }  // namespace cps

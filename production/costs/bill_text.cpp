@@ -19,6 +19,12 @@ std::string hours_text(double hours) {
   return hours < 72 ? fmt::format("{:.1f} h", hours) : fmt::format("{:.1f} days", hours / 24);
 }
 
+std::string start_text(std::int64_t shards) {
+  if (shards == 1) return "scenes loaded, lenses and places drawn";
+  return fmt::format("{} shards load scenes and draw places for their own views, lenses for all; finish again",
+                     shards);
+}
+
 double dataset_bytes(const Bill& bill) {
   return bill.image_bytes + bill.scene_bytes;
 }
@@ -48,19 +54,21 @@ std::string to_text(const Recipe& recipe, const Bill& bill, const Pilot& pilot, 
       "{}: {} images in {} folders, of {} views in {} conditions of {} scenes\n"
       "  render     {:>10.3g} core-hours\n"
       "  images     {:>10.3g} core-hours: warp, sensor, encoding\n"
-      "  scenes     {:>10.3g} core-hours: made and loaded\n"
-      "  places     {:>10.3g} core-hours: drawn again in every shard\n"
+      "  scenes     {:>10.3g} core-hours: made\n"
+      "  start-up   {:>10.3g} core-hours: {}\n"
       "  all        {:>10.3g} core-hours, standard error {:.2g}; {:.3g} images a core-hour\n",
       recipe.name, n.images, n.groups, n.views, n.conditions, n.scenes, bill.render_core_h,
-      bill.images_core_h, bill.scenes_core_h, bill.plan_core_h, bill.core_h, bill.core_h_error,
+      bill.images_core_h, bill.scenes_core_h, bill.start_core_h, start_text(bill.processes.shards), bill.core_h,
+      bill.core_h_error,
       images / bill.core_h);
   text += fmt::format("  time       {:>10} on {} cores that do nothing else\n",
                       hours_text(bill.core_h / resources.cores), resources.cores);
   if (resources.price_per_core_h > 0)
     text += fmt::format("  cost       {:>10.2f} at {} a core-hour\n",
                         bill.core_h * resources.price_per_core_h, resources.price_per_core_h);
-  text +=
-      fmt::format("  memory     {:>10} in one process\n", bytes_text(static_cast<double>(bill.peak_bytes)));
+  text += fmt::format(
+      "  memory     {:>10} in one process{}\n", bytes_text(static_cast<double>(bill.peak_bytes)),
+      bill.scenes_held > 1 ? ", which loads the next condition's scene while it renders one" : "");
   text += fmt::format("  disk       {:>10}: {} an image, {} of scenes; {} has {} free{}\n",
                       bytes_text(dataset_bytes(bill)), bytes_text(bill.image_bytes / images),
                       bytes_text(bill.scene_bytes), resources.folder, bytes_text(resources.free_bytes),
@@ -89,11 +97,12 @@ nlohmann::ordered_json to_json(const Recipe& recipe, const Bill& bill, const Pil
           {"render_core_h", bill.render_core_h},
           {"images_core_h", bill.images_core_h},
           {"scenes_core_h", bill.scenes_core_h},
-          {"plan_core_h", bill.plan_core_h},
+          {"start_core_h", bill.start_core_h},
           {"core_h", bill.core_h},
           {"core_h_standard_error", bill.core_h_error},
           {"images_per_core_h", static_cast<double>(n.images) / bill.core_h},
           {"set_images_per_core_h", bill.set_images_per_core_h},
+          {"shards", bill.processes.shards},
           {"cores", resources.cores},
           {"wall_h", bill.core_h / resources.cores},
           {"price_per_core_h", resources.price_per_core_h},

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "files/files.h"
 #include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
 #include "production/load_scene.h"
 #include "production/scene_files.h"
 #include "production/view_images.h"
-#include "sampler/plan/plan.h"
+#include "renderer/memory_estimate.h"
+#include "sampler/plan/place_views.h"
 
 namespace fs = std::filesystem;
 
@@ -95,21 +97,32 @@ struct FullSize {
 Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive, const fs::path& folder,
                 const Watch& watch, Pilot& pilot) {
   std::vector<PlannedScene> scenes = plan_scenes(recipe, folder);
+  const auto scene_count = static_cast<double>(scenes.size());
   double before = process_cpu_s();
   make_scene_files(scenes, folder);
-  pilot.scene_cpu_s = (process_cpu_s() - before) / scenes.size();
+  pilot.city_cpu_s = (process_cpu_s() - before) / scene_count;
   for (const PlannedScene& scene : scenes)
-    if (scene.city) pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scenes.size();
+    if (scene.city) pilot.scene_bytes += static_cast<double>(fs::file_size(scene.file)) / scene_count;
   before = process_cpu_s();
-  double load_s = 0;
-  Plan plan = make_plan(recipe, rig, std::move(scenes), [&](const fs::path& file) {
+  Plan plan = outline_plan(recipe, rig, std::move(scenes));
+  pilot.start.group_cpu_s = (process_cpu_s() - before) / static_cast<double>(plan.groups.size());
+  before = process_cpu_s();
+  double load_s = 0, rays_s = 0;
+  place_views(plan, all_views(plan), [&](const fs::path& file) {
     const double begin = process_cpu_s();
+    sha256(read_file(file));  // as prepare_scenes() does
     DrivenScene driven = load_scene(file, drive, watch);
-    load_s += process_cpu_s() - begin;
+    const double loaded = process_cpu_s();
+    const SceneRays rays(driven.scene);  // as place_views() does next, to tell its cost from that of the draws
+    load_s += loaded - begin;
+    rays_s += process_cpu_s() - loaded;
+    const auto bytes = static_cast<std::int64_t>(estimated_bytes(driven.scene));
+    pilot.scene_memory_bytes = std::max(pilot.scene_memory_bytes, bytes);
     return driven;
   });
-  pilot.view_plan_cpu_s = (process_cpu_s() - before - load_s) / static_cast<double>(plan.views.size());
-  pilot.condition_cpu_s = load_s / static_cast<double>(plan.conditions.size());
+  const double draws_s = std::max(0.0, process_cpu_s() - before - load_s - 2 * rays_s);
+  pilot.start.scene_load_cpu_s = (load_s + rays_s) / scene_count;
+  pilot.start.view_place_cpu_s = draws_s / static_cast<double>(plan.views.size());
   return plan;
 }
 
@@ -130,7 +143,8 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const PlannedView& view = plan.views[v];
     double before = process_cpu_s();
     RenderScene& scene = loaded.of(plan, view);
-    pilot.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
+    pilot.start.condition_cpu_s +=
+        (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
     const Pinhole small = smaller(view.master, times);
     const RenderedHalves reduced = render_halves(plan.recipe, view, small, scene);

@@ -16,6 +16,14 @@ struct ImageCost {
   double bytes = 0;  ///< of the file
 };
 
+/// What a process of cps generate spends before it renders, in CPU seconds.
+struct StartCosts {
+  double group_cpu_s = 0;       ///< to plan a group: mostly to draw its lens
+  double scene_load_cpu_s = 0;  ///< to hash a scene's file, load it and trace rays in it
+  double view_place_cpu_s = 0;  ///< to draw the place of a view
+  double condition_cpu_s = 0;   ///< to load a condition's scene and prepare it for rendering
+};
+
 /// Measurements of a few views of a recipe. CPU seconds are those of all threads together.
 struct Pilot {
   int views = 0, full_size_views = 0, images = 0;
@@ -23,12 +31,12 @@ struct Pilot {
   std::vector<std::vector<double>> render_cpu_s;
   double full_size_ratio = 1;          ///< time of full-size renders over that estimated from small ones
   std::vector<ImageCost> image_costs;  ///< by the recipe's sizes
-  double scene_cpu_s = 0;              ///< to make a scene's file; 0 if the file exists
+  double city_cpu_s = 0;               ///< to make a scene's file; 0 if the file exists
   double scene_bytes = 0;              ///< of the file; 0 if it existed
-  double condition_cpu_s = 0;   ///< to load a scene twice (for plan and render) and prepare it for rendering
-  double view_plan_cpu_s = 0;   ///< to draw a view's place and lenses
-  std::int64_t peak_bytes = 0;  ///< peak memory of the process, with one view at a time
-  std::int64_t view_bytes = 0;  ///< memory of the largest render
+  StartCosts start;
+  std::int64_t peak_bytes = 0;          ///< peak memory of the process, with one view and one scene at a time
+  std::int64_t view_bytes = 0;          ///< memory of the largest render
+  std::int64_t scene_memory_bytes = 0;  ///< estimated for the largest scene, while it is loaded and rendered
 };
 
 /// Takes `conditions` conditions of the recipe (or all, if it has fewer) and renders one view of each set in

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 #include "numbers/angles.h"
 #include "sampler/plan/lens_groups.h"
+#include "sampler/plan/place_views.h"
 #include "sampler/splits.h"
 
 namespace cps {
@@ -75,55 +76,6 @@ void plan_views_of_set(Plan& plan, int set) {
   }
 }
 
-/// The stratum of each view: the places of a set in the same streets, on any day, share the strata.
-std::vector<LaneStratum> strata_of_views(const Plan& plan) {
-  const bool shares_streets = plan.recipe.split == "thesis";
-  std::map<std::uint64_t, std::vector<std::size_t>> views_of;  // views by the lanes that they share
-  for (std::size_t v = 0; v < plan.views.size(); ++v) {
-    const PlannedView& view = plan.views[v];
-    if (view.rig_camera != 0) continue;
-    const Stream streets = streets_stream(plan.recipe, plan.scenes, plan.conditions[view.condition].scene);
-    const Part part = shares_streets ? Part::all : view.part;
-    views_of[substream(make_stream(streets.key, to_string(part)), view.set).key].push_back(v);
-  }
-  std::vector<LaneStratum> strata(plan.views.size());
-  for (const auto& [key, views] : views_of) {
-    const auto dealt = deal_strata(static_cast<std::int64_t>(views.size()), make_stream(key, "strata"));
-    for (std::size_t i = 0; i < views.size(); ++i) strata[views[i]] = dealt[i];
-  }
-  return strata;
-}
-
-/// Draws the places of all views, with one scene in memory at a time. `plan.views` is sorted by condition,
-/// and the conditions of a scene are contiguous.
-void plan_places(Plan& plan, const std::function<DrivenScene(const std::filesystem::path&)>& load) {
-  const std::vector<LaneStratum> strata = strata_of_views(plan);
-  std::size_t v = 0;
-  while (v < plan.views.size()) {
-    const int s = plan.conditions[plan.views[v].condition].scene;
-    const DrivenScene driven = load(plan.scenes[s].file);
-    plan.scenes[s].metres_per_unit = driven.metres_per_unit;
-    plan.scenes[s].is_z_up = driven.is_z_up;
-    plan.scenes[s].credits = driven.scene.credits;
-    plan.scenes[s].import_warnings = driven.scene.import_warnings;
-    plan.scenes[s].origin = driven.scene.origin;
-    const DrivableScene scene = drivable_scene(driven.scene, plan.scenes[s].file.string(), plan.recipe,
-                                               streets_stream(plan.recipe, plan.scenes, s));
-    DrawnPlace drawn;
-    for (; v < plan.views.size() && plan.conditions[plan.views[v].condition].scene == s; ++v) {
-      PlannedView& view = plan.views[v];
-      if (view.rig_camera == 0) {
-        drawn =
-            draw_place(scene, plan.rig, view.part, plan.recipe, strata[v], make_stream(view.seed, "place"));
-        plan.places.add(drawn.tally);
-      }
-      view.street = drawn.street;
-      view.place = drawn.place;
-      view.camera = drawn.cameras[view.rig_camera];
-    }
-  }
-}
-
 }  // namespace
 
 std::int64_t image_count(const Plan& plan) {
@@ -132,12 +84,17 @@ std::int64_t image_count(const Plan& plan) {
   return count;
 }
 
+std::vector<std::int64_t> all_views(const Plan& plan) {
+  std::vector<std::int64_t> views(plan.views.size());
+  std::iota(views.begin(), views.end(), 0);
+  return views;
+}
+
 std::string image_name(const Plan& plan, const PlannedView& view) {
   return fmt::format("{:06}.{}", view.index, extension_of(plan.recipe.image_format));
 }
 
-Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
-               const std::function<DrivenScene(const std::filesystem::path&)>& load) {
+Plan outline_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes) {
   Plan plan;
   plan.recipe = recipe;
   plan.rig = rig;
@@ -147,7 +104,13 @@ Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> s
   for (int set = 0; set < static_cast<int>(plan.sets.size()); ++set) plan_views_of_set(plan, set);
   std::stable_sort(plan.views.begin(), plan.views.end(),
                    [](const PlannedView& a, const PlannedView& b) { return a.condition < b.condition; });
-  plan_places(plan, load);
+  return plan;
+}
+
+Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
+               const LoadDrivenScene& load) {
+  Plan plan = outline_plan(recipe, rig, std::move(scenes));
+  place_views(plan, all_views(plan), load);
   return plan;
 }
 

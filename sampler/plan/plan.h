@@ -14,7 +14,8 @@
 #include "scenes/rig.h"
 
 /// A recipe expanded to every condition, set, group and view, before anything is rendered. The plan is a pure
-/// function of the recipe and the scenes' geometry.
+/// function of the recipe and the scenes' geometry. Only the places need the scenes: a process that makes a
+/// few views outlines the plan and then places those (place_views.h).
 namespace cps {
 
 /// A scene in one light. Within a condition only pose and camera vary, so that it is loaded once.
@@ -48,9 +49,9 @@ struct PlannedView {
   int rig_camera = 0;  ///< index into Plan::rig
   int condition = 0;
   Part part = Part::train;
-  std::string street;
-  Place place;
-  RigCamera camera;  ///< with this view's mount errors
+  std::string street;  ///< set when the view is placed
+  Place place;         ///< set when the view is placed
+  RigCamera camera;    ///< with this view's mount errors, which are drawn with its place
   std::uint64_t seed = 0;
   Pinhole master;           ///< camera of the render for all its groups
   std::vector<int> groups;  ///< indices into Plan::groups; the undistorted group comes first
@@ -65,7 +66,7 @@ struct Plan {
   std::vector<PlannedGroup> groups;
   std::vector<PlannedView> views;  ///< sorted by condition, set, index, camera
   int distorted_lenses = 0;
-  PlaceTally places;
+  PlaceTally places;  ///< drawn so far
 };
 
 /// Number of images in the plan.
@@ -74,10 +75,18 @@ std::int64_t image_count(const Plan& plan);
 /// `000017.png`, with the extension of the recipe's image format.
 std::string image_name(const Plan& plan, const PlannedView& view);
 
-/// Expands a valid recipe for a rig. `scenes` are its scenes and cities, whose files exist; `load` imports
-/// one (one is in memory at a time). Throws std::runtime_error if a scene has too few streets for three parts
-/// or no free places.
+/// The indices of all its views, ascending.
+std::vector<std::int64_t> all_views(const Plan& plan);
+
+/// Expands a valid recipe for a rig to everything but the places of its views and what is set when a scene is
+/// loaded. `scenes` are the recipe's scenes and cities; their files are not read.
+Plan outline_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes);
+
+/// Imports a scene's file for its places.
+using LoadDrivenScene = std::function<DrivenScene(const std::filesystem::path&)>;
+
+/// The whole plan: the outline with the places of all views. Loads scenes and throws as place_views() does.
 Plan make_plan(const Recipe& recipe, const Rig& rig, std::vector<PlannedScene> scenes,
-               const std::function<DrivenScene(const std::filesystem::path&)>& load);
+               const LoadDrivenScene& load);
 
 }  // namespace cps

@@ -8,8 +8,6 @@
 namespace cps {
 namespace {
 
-constexpr std::int64_t max_shards = 1'000'000;
-
 double master_pixels(const PlannedView& view) {
   return static_cast<double>(view.master.width) * view.master.height;
 }

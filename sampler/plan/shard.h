@@ -7,6 +7,9 @@
 
 namespace cps {
 
+/// The most shards that a plan can have.
+constexpr std::int64_t max_shards = 1'000'000;
+
 /// Slice `index`, from 0, of the `count` slices of a plan that several processes share.
 struct Shard {
   std::int64_t index = 0, count = 1;

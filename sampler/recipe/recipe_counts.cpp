@@ -25,6 +25,8 @@ RecipeCounts count_out(const Recipe& recipe, int cameras) {
   RecipeCounts counts;
   counts.scenes = static_cast<std::int64_t>(recipe.scenes.size() + recipe.city_seeds.size()) + recipe.cities;
   counts.conditions = counts.scenes * recipe.conditions_per_scene;
+  const auto given = static_cast<std::int64_t>(recipe.scenes.size());
+  counts.scene_files = given + (counts.scenes - given) * recipe.conditions_per_scene;
   const auto hfovs = static_cast<std::int64_t>(recipe.base_hfov_deg.size() + recipe.hfov_deg.size());
   counts.sets = static_cast<std::int64_t>(recipe.sizes.size()) * hfovs;
   for (std::size_t s = 0; s < recipe.sizes.size(); ++s) {

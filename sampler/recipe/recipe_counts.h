@@ -8,11 +8,12 @@ namespace cps {
 
 /// Numbers of scenes, views, images … that a recipe makes.
 struct RecipeCounts {
-  std::int64_t scenes = 0;      ///< files and procedural cities
-  std::int64_t conditions = 0;  ///< scenes times conditions per scene
-  std::int64_t sets = 0;        ///< sizes times H-FOVs
-  std::int64_t groups = 0;      ///< leaf folders
-  std::int64_t views = 0;       ///< renders
+  std::int64_t scenes = 0;       ///< files and procedural cities
+  std::int64_t conditions = 0;   ///< scenes times conditions per scene
+  std::int64_t scene_files = 0;  ///< a city has one for each of its conditions
+  std::int64_t sets = 0;         ///< sizes times H-FOVs
+  std::int64_t groups = 0;       ///< leaf folders
+  std::int64_t views = 0;        ///< renders
   std::int64_t images = 0;
 };
 

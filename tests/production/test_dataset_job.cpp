@@ -38,6 +38,59 @@ TEST_CASE("planning stops where its watch says so") {
   CHECK_THROWS_AS(plan_of(dataset.job, {.must_stop = [] { return true; }}), Interrupted);
 }
 
+TEST_CASE("a shard looks at the scenes of its own views alone, and all shards make one dataset") {
+  const TinyDataset whole{.scene_count = 4};
+  whole.make();
+  for (std::int64_t count : {1, 2, 4, 7, 30}) {
+    const TinyDataset dataset{.scene_count = 4};
+    for (std::int64_t i = 0; i < count; ++i) {
+      const Shard shard{i, count};
+      INFO("shard " << to_string(shard));
+      DatasetJob job = dataset.job;
+      Plan plan = outline_of(job);
+      const std::vector<std::int64_t> views = remaining_views(plan, shard, dataset.root, {}).views;
+      std::set<std::string> expected, loaded;
+      for (std::int64_t v : views)
+        expected.insert(plan.scenes[plan.conditions[plan.views[v].condition].scene].file.string());
+      CHECK(expected.size() <= std::max<std::size_t>(2, 4 / count + 1));
+      // No other scene can be loaded.
+      for (const fs::path& scene : dataset.scenes)
+        if (!expected.contains(scene.string())) fs::rename(scene, scene.string() + ".away");
+      prepare_views(job, plan, views, dataset.root,
+                    {.scene_loaded = [&](const fs::path& file, const DrivenScene&) {
+                      CHECK(loaded.insert(file.string()).second);
+                    }});
+      CHECK(loaded == expected);
+      begin_job(dataset.root, job.text);
+      Journal journal(dataset.root, shard);
+      CHECK(make_views(plan, views, journal, dataset.root, 2, {}).views ==
+            static_cast<std::int64_t>(views.size()));
+      for (const fs::path& scene : dataset.scenes)
+        if (fs::exists(scene.string() + ".away")) fs::rename(scene.string() + ".away", scene);
+    }
+    CHECK(dataset.contents() == whole.contents());
+    DatasetJob job = job_of_folder(dataset.root);  // as finish has it
+    prepare_scenes(job, dataset.root);
+    CHECK(read_job(dataset.root).scenes == job.text.scenes);
+  }
+}
+
+TEST_CASE("a scene that changed between two shards is refused by the second that uses it, and by finish") {
+  const TinyDataset dataset{.scene_count = 2};
+  const auto begin = [&](std::int64_t i) {
+    DatasetJob job = dataset.job;
+    Plan plan = outline_of(job);
+    prepare_views(job, plan, remaining_views(plan, {i, 4}, dataset.root, {}).views, dataset.root, {});
+    begin_job(dataset.root, job.text);
+  };
+  begin(0);
+  write_file(dataset.scenes[0], read_file(dataset.scenes[0]) + " ");
+  begin(2);  // uses the second scene
+  CHECK_THROWS_WITH(begin(1), Catch::Contains("sha256 of street.gltf"));
+  DatasetJob job = job_of_folder(dataset.root);
+  CHECK_THROWS_WITH(prepare_scenes(job, dataset.root), Catch::Contains("sha256 of street.gltf"));
+}
+
 TEST_CASE("drives read back from their text, and impossible ones are refused") {
   const TemporaryFolder folder;
   const fs::path route = folder.path / "route.csv";

@@ -62,6 +62,35 @@ TEST_CASE("an error in one view is thrown, and the other views are completed") {
   CHECK(dataset.contents() == whole.contents());
 }
 
+TEST_CASE("a scene that cannot be loaded ahead is reported, and the views of those before it are completed") {
+  const TinyDataset dataset{.scene_count = 3}, whole{.scene_count = 3};
+  whole.make();
+  REQUIRE(dataset.plan.views.size() == 18);
+  fs::rename(dataset.scenes[1], dataset.folder.path / "away");
+  CHECK_THROWS_WITH(dataset.make(), Catch::Contains("street1.gltf"));
+  std::vector<std::int64_t> of_later_scenes;
+  for (std::int64_t v = 6; v < 18; ++v) of_later_scenes.push_back(v);
+  CHECK(dataset.remaining() == of_later_scenes);
+
+  fs::rename(dataset.folder.path / "away", dataset.scenes[1]);
+  CHECK(dataset.make().views == 12);
+  CHECK(dataset.contents() == whole.contents());
+}
+
+TEST_CASE("a run stopped while the next scene loads is continued") {
+  const TinyDataset dataset{.scene_count = 2}, whole{.scene_count = 2};
+  whole.make();
+  // It is asked before each view and after each tile: the runs stop at ever later moments.
+  int runs = 0;
+  for (; !dataset.remaining().empty(); ++runs) {
+    std::atomic<int> asked = 0;
+    dataset.make({.must_stop = [&] { return ++asked > 10 * (runs + 1); }});
+    REQUIRE(runs < 100);
+  }
+  CHECK(runs > 1);
+  CHECK(dataset.contents() == whole.contents());
+}
+
 TEST_CASE("a stopped run gives up the view being rendered, leaves no half file, and is continued") {
   const TinyDataset dataset, whole;
   whole.make();

@@ -14,25 +14,37 @@
 
 namespace cps {
 
-/// Six views under two conditions, with two images each, of a street of boxes: rendered in a second.
-inline Recipe tiny_recipe(const std::filesystem::path& scene) {
+/// Of each scene six views under two conditions, with two images each: rendered in a second.
+inline Recipe tiny_recipe(const std::vector<std::filesystem::path>& scenes) {
   Recipe recipe;
   recipe.seed = 3;
-  recipe.scenes = {scene.string()};
+  for (const std::filesystem::path& scene : scenes) recipe.scenes.push_back(scene.string());
   recipe.sizes = {{80, 45}};
   recipe.base_hfov_deg = {70};
-  recipe.views = 6;
+  recipe.views = 6 * static_cast<int>(scenes.size());
   recipe.lenses = 1;
   recipe.conditions_per_scene = 2;
   recipe.samples = 2;
   return recipe;
 }
 
+/// Writes street.gltf, a street of boxes, and as many copies of it, street1.gltf …, as make `count` scenes.
+inline std::vector<std::filesystem::path> write_streets(const std::filesystem::path& folder, int count) {
+  std::vector<std::filesystem::path> scenes{write_street_gltf(folder)};
+  for (int i = 1; i < count; ++i) {
+    scenes.push_back(folder / ("street" + std::to_string(i) + ".gltf"));
+    std::filesystem::copy_file(scenes[0], scenes.back());
+  }
+  return scenes;
+}
+
 /// A planned dataset of which nothing is made yet.
 struct TinyDataset {
-  TemporaryFolder folder;
-  std::filesystem::path scene = write_street_gltf(folder.path), root = folder.path / "dataset";
-  DatasetJob job = new_job(tiny_recipe(scene), find_rig("", {}), {}, root);
+  int scene_count = 1;
+  TemporaryFolder folder = {};
+  std::vector<std::filesystem::path> scenes = write_streets(folder.path, scene_count);
+  std::filesystem::path scene = scenes[0], root = folder.path / "dataset";
+  DatasetJob job = new_job(tiny_recipe(scenes), find_rig("", {}), {}, root);
   Plan plan = plan_of(job, {});
 
   /// Views that remain, by what the folder holds.

@@ -13,7 +13,7 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   const ProgramRun run =
       run_cps("plan --scene " + write_street_gltf(folder.path).string() +
               " --size 96x54,110x40 --base_hfov_deg 60,90 --views 40,20 --lenses 2,3 --samples 2 --cores 4 "
-              "--price 0.5 --json");
+              "--price 0.5 --shards 3 --json");
   INFO(run.output);
   REQUIRE(run.exit_status == 0);
   const Json bill = Json::parse(run.output);
@@ -23,8 +23,10 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   const double all = bill.at("core_h");
   CHECK(all > 0);
   CHECK(double(bill.at("render_core_h")) + double(bill.at("images_core_h")) +
-            double(bill.at("scenes_core_h")) + double(bill.at("plan_core_h")) ==
+            double(bill.at("scenes_core_h")) + double(bill.at("start_core_h")) ==
         Approx(all));
+  CHECK(bill.at("shards") == 3);
+  CHECK(double(bill.at("start_core_h")) > 0);
   CHECK(double(bill.at("wall_h")) == Approx(all / 4));
   CHECK(double(bill.at("cost")) == Approx(all * 0.5));
   CHECK(double(bill.at("image_bytes")) > 400 * 1000.0);
@@ -41,6 +43,7 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
 TEST_CASE("plan refuses impossible options in one line") {
   check_refused("plan --cores 0", 2, "--cores: must lie in");
   check_refused("plan --price -1", 2, "--price: must lie in");
+  check_refused("plan --shards 0", 2, "--shards: must lie in");
   check_refused("plan --conditions 0", 2, "--conditions: must lie in");
   check_refused("plan --recipe no-such-recipe", 1, "no-such-recipe: cannot be read");
 }

@@ -60,6 +60,47 @@ TEST_CASE("1, 2, 3 and 7 shards of 1, 2 and 16 threads make the same bytes", "[s
   }
 }
 
+TEST_CASE("shards of a recipe with several scenes make the dataset of one process, each from its own scenes") {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path;
+  write_street_gltf(folder);
+  std::string scenes;
+  for (int i = 0; i < 5; ++i) {
+    const fs::path scene = folder / ("street" + std::to_string(i) + ".gltf");
+    fs::copy_file(folder / "street.gltf", scene);
+    scenes += (i > 0 ? "," : "") + scene.string();
+  }
+  const auto recipe = [&](const fs::path& out) {
+    return "generate --name t --seed 3 --scene " + scenes +
+           " --size 80x45 --base_hfov_deg 60,120 --views 10 --lenses 2 --samples 2 --out " + out.string();
+  };
+  REQUIRE(run_cps(recipe(folder / "whole")).exit_status == 0);
+  for (int count : {2, 5, 7}) {
+    const fs::path out = folder / std::to_string(count);
+    std::size_t looked_at = 0;
+    for (int i = 0; i < count; ++i) {
+      const fs::path look = folder / ("look" + std::to_string(count) + "_" + std::to_string(i));
+      fs::create_directories(look);
+      const ProgramRun run = run_cps(recipe(out) + " --look " + look.string() + " --shard " +
+                                     std::to_string(i) + "/" + std::to_string(count));
+      INFO(run.output);
+      REQUIRE(run.exit_status == 0);
+      looked_at += contents(look).size();
+    }
+    CHECK(looked_at >= 5);
+    CHECK(looked_at < 5u + count);  // neighbours have at most one scene in common
+    REQUIRE(run_cps("finish " + out.string()).exit_status == 0);
+    CHECK(differences(folder / "whole", out) == "");
+  }
+  // A shard whose views are made has no scene to look at.
+  fs::remove(folder / "7" / "dataset.json");
+  const fs::path look = folder / "look";
+  fs::create_directories(look);
+  CHECK_THAT(run_cps(recipe(folder / "7") + " --look " + look.string() + " --shard 3/7").output,
+             Catch::Contains("0 views to make"));
+  CHECK(contents(look).empty());
+}
+
 TEST_CASE("what was made under one sharding counts under another, and finish says what is missing") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path, scene = write_street_gltf(folder), out = folder / "dataset";

@@ -55,6 +55,26 @@ TEST_CASE("a different job in the same folder is refused with the first differen
   CHECK_THROWS_WITH(require_same_job(root, other), Catch::Contains("cps 2"));
 }
 
+TEST_CASE("a job comes to know its scenes as processes use them") {
+  const TemporaryFolder temporary;
+  const auto& root = temporary.path;
+  const auto job_that_knows = [](const std::string& a, const std::string& b) {
+    Job job = job_of("seed = 0\n");
+    job.scenes = "sha256 of a.glb = " + a + "\nsha256 of b.glb = " + b + "\n";
+    return job;
+  };
+  begin_job(root, job_that_knows("", ""));
+  begin_job(root, job_that_knows("", "34"));
+  CHECK(read_job(root).scenes == job_that_knows("", "34").scenes);
+  begin_job(root, job_that_knows("12", ""));
+  CHECK(read_job(root).scenes == job_that_knows("12", "34").scenes);
+  begin_job(root, job_that_knows("", ""));
+  CHECK(read_job(root).scenes == job_that_knows("12", "34").scenes);
+  CHECK_THROWS_WITH(begin_job(root, job_that_knows("", "35")),
+                    Catch::Contains("\"sha256 of b.glb = 34\" became \"sha256 of b.glb = 35\""));
+  CHECK(read_job(root).scenes == job_that_knows("12", "34").scenes);
+}
+
 TEST_CASE("a damaged job file is refused by name") {
   const TemporaryFolder temporary;
   const auto& root = temporary.path;
