@@ -6,16 +6,21 @@
 
 namespace cps {
 
-std::shared_ptr<RenderScene> load_condition(const Plan& plan, int condition) {
+std::shared_ptr<LitScene> load_condition(const Plan& plan, int condition, const LightCacheOptions& cache) {
   const PlannedCondition& planned = plan.conditions[condition];
-  return build_render_scene(load_scene(plan.scenes[planned.scene], plan.recipe), planned.light.daylight);
+  const Scene scene = load_scene(plan.scenes[planned.scene], plan.recipe);
+  auto lit = std::make_shared<LitScene>();
+  lit->scene = build_render_scene(scene, planned.light.daylight);
+  if (plan.recipe.light_method == LightMethod::cached)
+    lit->cache = std::make_unique<LightCache>(scene, *lit->scene, plan.recipe.max_shaded_vertices, cache);
+  return lit;
 }
 
-RenderScene& ConditionScene::of(const Plan& plan, const PlannedView& view) {
+LitScene& ConditionScene::of(const Plan& plan, const PlannedView& view) {
   if (condition_ == view.condition) return *scene_;
   condition_ = -1;
   scene_.reset();  // before another one loads, which would be a scene more in memory
-  std::future<std::shared_ptr<RenderScene>> prefetched = std::move(next_scene_);
+  std::future<std::shared_ptr<LitScene>> prefetched = std::move(next_scene_);
   if (std::exchange(next_condition_, -1) == view.condition) {
     scene_ = prefetched.get();
   } else {

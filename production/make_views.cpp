@@ -31,8 +31,14 @@ struct ViewInFlight {
 class ViewLine {
  public:
   ViewLine(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
-           const std::filesystem::path& root, int threads, const Watch& watch)
-      : plan_(plan), views_(views), journal_(journal), root_(root), threads_(threads), watch_(watch) {}
+           const std::filesystem::path& root, int threads, const Watch& watch, const LightCacheOptions& cache)
+      : plan_(plan),
+        views_(views),
+        journal_(journal),
+        root_(root),
+        threads_(threads),
+        watch_(watch),
+        loaded_(cache) {}
 
   void run() {
     using Token = std::shared_ptr<ViewInFlight>;
@@ -92,7 +98,7 @@ class ViewLine {
     auto in_flight = std::make_shared<ViewInFlight>(ViewInFlight{.view = views_[next_++]});
     const PlannedView& view = plan_.views[in_flight->view];
     was_given_up_ = true;  // until it is rendered
-    RenderScene& scene = loaded_.of(plan_, view);
+    LitScene& scene = loaded_.of(plan_, view);
     if (scenes_in_memory(threads_) > 1) prefetch_after(view);
     in_flight->halves = render_halves(plan_.recipe, view, view.master, scene, [this](int, int) {
       if (must_stop()) throw Interrupted();
@@ -160,12 +166,13 @@ int scenes_in_memory(int threads) {
 }
 
 MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
-                            const std::filesystem::path& root, int threads, const Watch& watch) {
+                            const std::filesystem::path& root, int threads, const Watch& watch,
+                            const LightCacheOptions& cache) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const double cpu_begin_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
   OIIO::attribute("threads", 1);  // OpenImageIO starts none of its own: all threads are TBB's
-  ViewLine line(plan, views, journal, root, threads, watch);
+  ViewLine line(plan, views, journal, root, threads, watch, cache);
   line.run();
   MakeViewsSummary summary = line.summary();
   summary.threads = threads;

@@ -96,7 +96,7 @@ std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const P
     const bool is_linear = plan.recipe.image_format == ImageFormat::exr;
     const OIIO::ImageBuf stored = brightness(read_pixels(root / file), is_linear);
     const OIIO::ImageBuf again = brightness(
-        render_again(plan, view, label, frame_of(root, file), loaded.of(plan, view), options), true);
+        render_again(plan, view, label, frame_of(root, file), *loaded.of(plan, view).scene, options), true);
     RerenderedImage result{.file = file, .registration = register_pictures(again, stored), .fault = {}};
     result.fault = fault_of(result.registration, options);
     images.push_back(result);

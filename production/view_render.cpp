@@ -8,15 +8,17 @@ Camera camera_of(const PlannedView& view, const Pinhole& pinhole) {
 }
 
 RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, const Pinhole& pinhole,
-                             RenderScene& scene, const TileProgress& progress) {
-  put_car(scene, world_from_vehicle(view.place));
+                             LitScene& lit, const TileProgress& progress) {
+  put_car(*lit.scene, world_from_vehicle(view.place));
+  if (lit.cache) lit.cache->make_room();
   RenderedHalves halves;
   const auto render_half = [&](const char* stream) {
     RenderSummary summary;
-    OIIO::ImageBuf half = render(scene, camera_of(view, pinhole),
+    OIIO::ImageBuf half = render(*lit.scene, camera_of(view, pinhole),
                                  {.samples = recipe.samples / 2,
                                   .max_shaded_vertices = recipe.max_shaded_vertices,
                                   .seed = make_stream(view.seed, stream).key,
+                                  .cache = lit.cache.get(),
                                   .progress = progress},
                                  &summary);
     halves.cpu_s += summary.cpu_s;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "production/lit_scene.h"
 #include "renderer/render.h"
 #include "sampler/plan/plan.h"
 
@@ -15,9 +16,9 @@ struct RenderedHalves {
 Camera camera_of(const PlannedView& view, const Pinhole& pinhole);
 
 /// Moves the car to the view's place and renders with `pinhole`, which is the view's master camera or a
-/// smaller one, by the recipe's samples and path length. `progress` is called after each tile; what it throws
-/// ends the render.
+/// smaller one, by the recipe's samples and path length, with the scene's cache. `progress` is called after
+/// each tile; what it throws ends the render.
 RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, const Pinhole& pinhole,
-                             RenderScene& scene, const TileProgress& progress = {});
+                             LitScene& lit, const TileProgress& progress = {});
 
 }  // namespace cps

@@ -27,6 +27,12 @@ Shard shard_from(const po::variables_map& values) {
   }
 }
 
+LightCacheOptions cache_from(const po::variables_map& values) {
+  const LightCacheOptions cache{.memory_gib = values["cache_memory"].as<double>()};
+  if (const std::string fault = cache.fault(); !fault.empty()) throw po::error("--" + fault);
+  return cache;
+}
+
 /// Keeps a run's times for cps report. Without them the dataset is no less complete.
 void enter(const fs::path& root, const Shard& shard, const RunTimes& times) try {
   enter_in_ledger(root, shard, times);
@@ -36,11 +42,11 @@ void enter(const fs::path& root, const Shard& shard, const RunTimes& times) try 
 
 /// Makes the remaining views of a shard. Throws Interrupted when a signal came before all were made.
 void make_remaining(const Plan& plan, const RemainingViews& remaining, const Shard& shard, Journal& journal,
-                    const fs::path& root, int threads, Watch watch) {
+                    const fs::path& root, int threads, const LightCacheOptions& cache, Watch watch) {
   write_labels(plan, remaining.views, root);
   Progress progress("images", remaining.made_images, remaining.shard_images);
   watch.advance = [&](std::int64_t images, const std::string& view) { progress.advance(images, view); };
-  const MakeViewsSummary summary = make_views(plan, remaining.views, journal, root, threads, watch);
+  const MakeViewsSummary summary = make_views(plan, remaining.views, journal, root, threads, watch, cache);
   progress.finish();
   std::cout << summary.brief() << "\n";
   for (const std::string& warning : summary.badly_exposed.warnings()) watch.warned(warning);
@@ -50,8 +56,8 @@ void make_remaining(const Plan& plan, const RemainingViews& remaining, const Sha
 
 /// One line about the plan and, where places were drawn, about those.
 std::string brief(const Plan& plan) {
-  std::string line = fmt::format("{} views, {} groups, {} images", plan.views.size(), plan.groups.size(),
-                                 image_count(plan));
+  std::string line =
+      fmt::format("{} views, {} groups, {} images", plan.views.size(), plan.groups.size(), image_count(plan));
   return plan.places.drawn > 0 ? line + "; " + plan.places.brief() : line;
 }
 
@@ -60,6 +66,7 @@ int generate(const po::variables_map& values, int threads) {
   const std::string name = root.string();
   const Shard shard = shard_from(values);
   const bool is_whole = shard.count == 1;
+  const LightCacheOptions cache = cache_from(values);
   Watch watch = interruptible_watch();
   look_with_flags(values, watch);
 
@@ -82,7 +89,7 @@ int generate(const po::variables_map& values, int threads) {
   std::cout << name << ": " << brief(plan) << "\n";
   const std::string share = is_whole ? "" : "shard " + to_string(shard) + ": ";
   std::cout << share << remaining.views.size() << " views to make" << std::endl;
-  if (!remaining.views.empty()) make_remaining(plan, remaining, shard, journal, root, threads, watch);
+  if (!remaining.views.empty()) make_remaining(plan, remaining, shard, journal, root, threads, cache, watch);
 
   if (!is_whole) {
     std::cout << share << "made; when all are: cps finish " << name << "\n";
@@ -138,7 +145,9 @@ int cps_generate(const Arguments& arguments) {
   po::options_description options("Options");
   options.add_options()("out,o", po::value<std::string>()->value_name("FOLDER")->required(),
                         "the dataset's folder")("shard", po::value<std::string>()->value_name("I/N"),
-                                                "make only share I of N, as 0/4 … 3/4");
+                                                "make only share I of N, as 0/4 … 3/4")(
+      "cache_memory", po::value<double>()->value_name("GIB")->default_value(LightCacheOptions{}.memory_gib),
+      "GiB for the cells of light_method = cached; what does not fit is computed again");
   po::variables_map values;
   if (!parse_job_options(arguments, generate_manual, options, values)) return 0;
 

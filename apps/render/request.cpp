@@ -53,7 +53,7 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
   add("light", with_default(request.light_way)->value_name("WORD"),
       "traced: follow all light; cached: keep the light of the sky and between surfaces in cells of the scene, "
       "which has little noise and costs less");
-  add("cache-memory", with_default(request.cache.memory_gib),
+  add("cache_memory", with_default(request.cache.memory_gib),
       "GiB for the cells of --light cached; what does not fit is computed again");
   add("filter", with_default(request.filter)->value_name("WORD"),
       "how a pixel weighs the light around it: box, tent or gaussian");

@@ -142,7 +142,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
     const PlannedView& view = plan.views[v];
     double before = process_cpu_s();
-    RenderScene& scene = loaded.of(plan, view);
+    LitScene& scene = loaded.of(plan, view);
     pilot.start.condition_cpu_s +=
         (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
