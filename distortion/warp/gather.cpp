@@ -1,13 +1,17 @@
 #include "distortion/warp/gather.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
+
+#include "distortion/warp/channel_count.h"
 
 namespace cps {
 namespace {
 
-constexpr int lanes = 8;
+constexpr int lanes = PlanarPatch::padding;
+using Float4 = float __attribute__((vector_size(16)));
 using Float8 = float __attribute__((vector_size(32)));
+constexpr Float8 counting = {0, 1, 2, 3, 4, 5, 6, 7};
 
 Float8 load(const float* values) {
   Float8 vector;
@@ -15,88 +19,72 @@ Float8 load(const float* values) {
   return vector;
 }
 
-float sum(Float8 v) {
-  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+/// (v0 + v4, v1 + v5, v2 + v6, v3 + v7).
+Float4 sum_of_halves(Float8 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
 }
 
-/// Sums over the bounds, eight columns at a time. On one row the kernel's argument is a quadratic in x.
-template <int channels>
-void gather_channels(const PlanarPatch& patch, const FootprintTile& tile, int index,
-                     const PixelBounds& bounds, float* pixel) {
-  const float xx = tile.conic_xx[index], xy = 2 * tile.conic_xy[index], yy = tile.conic_yy[index];
-  const float first_x = static_cast<float>(bounds.x0 - tile.x[index]),
-              first_y = static_cast<float>(bounds.y0 - tile.y[index]);
-  const std::size_t plane = patch.stride * patch.rect.height;
-  const float* corner = patch.row(0, bounds.y0) + (bounds.x0 - patch.rect.x0);
+/// The sums of four vectors.
+Float4 sums_of(Float8 a, Float8 b, Float8 c, Float8 d) {
+  const Float4 a4 = sum_of_halves(a), b4 = sum_of_halves(b), c4 = sum_of_halves(c), d4 = sum_of_halves(d);
+  const Float4 ab = __builtin_shufflevector(a4, b4, 0, 1, 4, 5) + __builtin_shufflevector(a4, b4, 2, 3, 6, 7);
+  const Float4 cd = __builtin_shufflevector(c4, d4, 0, 1, 4, 5) + __builtin_shufflevector(c4, d4, 2, 3, 6, 7);
+  return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+}
 
-  Float8 weights{}, sums[channels]{};
-  for (int column = 0; column <= bounds.x1 - bounds.x0; column += lanes) {
-    const Float8 x = Float8{0, 1, 2, 3, 4, 5, 6, 7} + (first_x + column);
-    const Float8 at_centre_row = 1 - xx * x * x, per_y = xy * x;
-    const float* row = corner + column;
-    float y = first_y;
-    for (int line = bounds.y0; line <= bounds.y1; ++line, y += 1, row += patch.stride) {
-      const Float8 t = at_centre_row - per_y * y - yy * y * y;
-      const Float8 inside = t > 0 ? t : Float8{};
-      const Float8 weight = inside * inside * inside;
-      weights += weight;
-      for (int channel = 0; channel < channels; ++channel)
-        sums[channel] += weight * load(row + channel * plane);
+/// One pixel of gather_row(). Sums over the bounds, eight columns at a time. On one line of the source the
+/// kernel's argument is a quadratic in x; what depends on y alone is computed for eight lines at a time.
+template <int channels>
+void gather_pixel(const PlanarPatch& patch, const PlacedKernels& at, int i, float* pixel) {
+  const int x0 = at.bounds.x0[i], y0 = at.bounds.y0[i];
+  const int columns = at.bounds.x1[i] - x0 + 1, lines = at.bounds.y1[i] - y0 + 1;
+  const float xx = at.kernels.conic_xx[i], xy = 2 * at.kernels.conic_xy[i], yy = at.kernels.conic_yy[i];
+  const float first_x = static_cast<float>(x0 - at.x[i]), first_y = static_cast<float>(y0 - at.y[i]);
+  const std::size_t stride = patch.stride, plane = stride * patch.rect.height;
+  const float* corner = patch.row(0, y0) + (x0 - patch.rect.x0);
+
+  Float8 weights{}, sums[4]{};
+  for (int column = 0; column < columns; column += lanes) {
+    const Float8 x = counting + (first_x + column);
+    const Float8 on_centre_line = 1 - xx * x * x, per_y = xy * x;
+    const float* values = corner + column;
+    for (int first = 0; first < lines; first += lanes) {
+      const Float8 y = (counting + float(first)) + first_y, by_line = yy * y * y;
+      float y_of_line[lanes], by_line_of[lanes];
+      std::memcpy(y_of_line, &y, sizeof y);
+      std::memcpy(by_line_of, &by_line, sizeof by_line);
+      const int count = std::min(lanes, lines - first);
+      for (int line = 0; line < count; ++line, values += stride) {
+        const Float8 t = on_centre_line - per_y * y_of_line[line] - by_line_of[line];
+        const Float8 inside = t > 0 ? t : Float8{};
+        const Float8 weight = inside * inside * inside;
+        weights += weight;
+        for (int channel = 0; channel < channels; ++channel)
+          sums[channel] += weight * load(values + channel * plane);
+      }
     }
   }
-  const float scale = 1 / sum(weights);
-  for (int channel = 0; channel < channels; ++channel) pixel[channel] = sum(sums[channel]) * scale;
+  const Float4 totals = sums_of(sums[0], sums[1], sums[2], channels < 4 ? weights : sums[3]);
+  const float weight = channels < 4 ? totals[3] : sums_of(weights, weights, weights, weights)[0];
+  const Float4 mean = totals * (1 / weight);
+  std::memcpy(pixel, &mean, channels * sizeof(float));
+}
+
+template <int channels>
+void gather_pixels(const PlanarPatch& patch, const PlacedKernels& row, int count, float* pixels) {
+  for (int i = 0; i < count; ++i) {
+    if (row.bounds.x0[i] >= 0)
+      gather_pixel<channels>(patch, row, i, pixels + i * channels);
+    else
+      std::fill_n(pixels + i * channels, channels, 0.0f);
+  }
 }
 
 }  // namespace
 
-void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& patch) {
-  const OIIO::ImageSpec& spec = image.spec();
-  const auto [x0, y0, width, height] = rect;
-  patch.rect = rect;
-  patch.channels = spec.nchannels;
-  patch.stride = width + lanes;
-  patch.values.assign(patch.stride * height * patch.channels + lanes, 0.0f);
-
-  std::vector<float> interleaved(std::size_t(width) * patch.channels);
-  for (int y = y0; y < y0 + height; ++y) {
-    const void* pixels = image.pixeladdr(spec.x + x0, spec.y + y);
-    OIIO::convert_pixel_values(spec.format, pixels, OIIO::TypeFloat, interleaved.data(),
-                               int(interleaved.size()));
-    for (int channel = 0; channel < patch.channels; ++channel) {
-      float* row = const_cast<float*>(patch.row(channel, y));
-      for (int x = 0; x < width; ++x) row[x] = interleaved[std::size_t(x) * patch.channels + channel];
-    }
-  }
-}
-
-PixelBounds pixel_bounds(const FootprintTile& tile, int index) {
-  const double x = tile.x[index], y = tile.y[index], width = tile.half_width[index],
-               height = tile.half_height[index];
-  return {int(std::ceil(x - width)), int(std::ceil(y - height)), int(std::floor(x + width)),
-          int(std::floor(y + height))};
-}
-
-bool is_footprint_inside(const FootprintTile& tile, int index, int width, int height) {
-  const double x = tile.x[index], y = tile.y[index];
-  // The negation makes NaN count as outside. Positions too large for an int must not reach pixel_bounds().
-  if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;
-  const PixelBounds bounds = pixel_bounds(tile, index);
-  return bounds.x0 >= 0 && bounds.y0 >= 0 && bounds.x1 < width && bounds.y1 < height;
-}
-
-void gather(const PlanarPatch& patch, const FootprintTile& tile, int index, const PixelBounds& bounds,
-            float* pixel) {
-  switch (patch.channels) {
-    case 1:
-      return gather_channels<1>(patch, tile, index, bounds, pixel);
-    case 2:
-      return gather_channels<2>(patch, tile, index, bounds, pixel);
-    case 3:
-      return gather_channels<3>(patch, tile, index, bounds, pixel);
-    default:
-      return gather_channels<4>(patch, tile, index, bounds, pixel);
-  }
+void gather_row(const PlanarPatch& patch, const PlacedKernels& row, int count, float* pixels) {
+  with_channel_count(patch.channels,
+                     [&](auto channels) { gather_pixels<channels>(patch, row, count, pixels); });
 }
 
 }  // namespace cps
