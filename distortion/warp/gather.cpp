@@ -1,6 +1,9 @@
 #include "distortion/warp/gather.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "distortion/warp/channel_count.h"
@@ -19,72 +22,130 @@ Float8 load(const float* values) {
   return vector;
 }
 
-/// (v0 + v4, v1 + v5, v2 + v6, v3 + v7).
-Float4 sum_of_halves(Float8 v) {
-  return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+Float8 positive_part(Float8 v) {
+  return _mm256_max_ps(v, Float8{});
 }
 
-/// The sums of four vectors.
-Float4 sums_of(Float8 a, Float8 b, Float8 c, Float8 d) {
-  const Float4 a4 = sum_of_halves(a), b4 = sum_of_halves(b), c4 = sum_of_halves(c), d4 = sum_of_halves(d);
-  const Float4 ab = __builtin_shufflevector(a4, b4, 0, 1, 4, 5) + __builtin_shufflevector(a4, b4, 2, 3, 6, 7);
-  const Float4 cd = __builtin_shufflevector(c4, d4, 0, 1, 4, 5) + __builtin_shufflevector(c4, d4, 2, 3, 6, 7);
-  return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+/// The sums of four vectors, in lanes 0, 4, 2 and 6.
+Float8 sums_of(Float8 a, Float8 b, Float8 c, Float8 d) {
+  const Float8 ab = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11) +
+                    __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+  const Float8 cd = __builtin_shufflevector(c, d, 0, 1, 2, 3, 8, 9, 10, 11) +
+                    __builtin_shufflevector(c, d, 4, 5, 6, 7, 12, 13, 14, 15);
+  const Float8 abcd = __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13) +
+                      __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15);
+  return abcd + __builtin_shufflevector(abcd, abcd, 1, 0, 3, 2, 5, 4, 7, 6);
 }
 
-/// One pixel of gather_row(). Sums over the bounds, eight columns at a time. On one line of the source the
-/// kernel's argument is a quadratic in x; what depends on y alone is computed for eight lines at a time.
-template <int channels>
-void gather_pixel(const PlanarPatch& patch, const PlacedKernels& at, int i, float* pixel) {
-  const int x0 = at.bounds.x0[i], y0 = at.bounds.y0[i];
-  const int columns = at.bounds.x1[i] - x0 + 1, lines = at.bounds.y1[i] - y0 + 1;
-  const float xx = at.kernels.conic_xx[i], xy = 2 * at.kernels.conic_xy[i], yy = at.kernels.conic_yy[i];
-  const float first_x = static_cast<float>(x0 - at.x[i]), first_y = static_cast<float>(y0 - at.y[i]);
-  const std::size_t stride = patch.stride, plane = stride * patch.rect.height;
-  const float* corner = patch.row(0, y0) + (x0 - patch.rect.x0);
+/// What gather_row() reads of a patch.
+struct Planes {
+  const float* values;
+  std::size_t stride, plane;  ///< from line to line, from channel to channel
+};
 
-  Float8 weights{}, sums[4]{};
-  for (int column = 0; column < columns; column += lanes) {
-    const Float8 x = counting + (first_x + column);
-    const Float8 on_centre_line = 1 - xx * x * x, per_y = xy * x;
-    const float* values = corner + column;
-    for (int first = 0; first < lines; first += lanes) {
-      const Float8 y = (counting + float(first)) + first_y, by_line = yy * y * y;
-      float y_of_line[lanes], by_line_of[lanes];
-      std::memcpy(y_of_line, &y, sizeof y);
-      std::memcpy(by_line_of, &by_line, sizeof by_line);
-      const int count = std::min(lanes, lines - first);
-      for (int line = 0; line < count; ++line, values += stride) {
-        const Float8 t = on_centre_line - per_y * y_of_line[line] - by_line_of[line];
-        const Float8 inside = t > 0 ? t : Float8{};
-        const Float8 weight = inside * inside * inside;
-        weights += weight;
-        for (int channel = 0; channel < channels; ++channel)
-          sums[channel] += weight * load(values + channel * plane);
-      }
+/// Where each pixel's sums begin, how far that is from the kernel's centre, and how far they go; no columns
+/// where nothing is to be gathered.
+struct Blocks {
+  alignas(32) std::array<int, KernelRow::side> offset, columns, lines;
+  alignas(32) std::array<float, KernelRow::side> x, y;
+
+  Blocks(const PlanarPatch& patch, const PlacedKernels& row, int count) {
+    const BoundsRow& bounds = row.bounds;
+    const int stride = int(patch.stride), corner = -patch.rect.y0 * stride - patch.rect.x0;
+    for (int i = 0; i < count; ++i) {
+      const int x0 = bounds.x0[i], y0 = bounds.y0[i];
+      offset[i] = y0 * stride + x0 + corner;
+      columns[i] = x0 >= 0 ? bounds.x1[i] - x0 + 1 : 0;
+      lines[i] = bounds.y1[i] - y0 + 1;
+      x[i] = static_cast<float>(x0 - row.x[i]);
+      y[i] = static_cast<float>(y0 - row.y[i]);
     }
   }
-  const Float4 totals = sums_of(sums[0], sums[1], sums[2], channels < 4 ? weights : sums[3]);
-  const float weight = channels < 4 ? totals[3] : sums_of(weights, weights, weights, weights)[0];
-  const Float4 mean = totals * (1 / weight);
-  std::memcpy(pixel, &mean, channels * sizeof(float));
-}
+};
 
 template <int channels>
-void gather_pixels(const PlanarPatch& patch, const PlacedKernels& row, int count, float* pixels) {
+struct Sums {
+  Float8 weights{}, values[4]{};
+
+  /// Adds eight columns of up to eight lines, which begin at (x, y) from the kernel's centre. On one line the
+  /// kernel's argument is a quadratic in x.
+  [[gnu::always_inline]] void add(const Planes& source, const float* values_at, int lines, float x, float y,
+                                  float xx, float xy, float yy) {
+    const Float8 xs = counting + x, ys = counting + y;
+    const Float8 on_centre_line = 1 - xx * xs * xs, per_y = xy * xs, by_line = yy * ys * ys;
+    float y_of_line[lanes], by_line_of[lanes];
+    std::memcpy(y_of_line, &ys, sizeof ys);
+    std::memcpy(by_line_of, &by_line, sizeof by_line);
+#pragma GCC unroll 1
+    for (int line = 0; line < lines; ++line, values_at += source.stride) {
+      const Float8 inside = positive_part(on_centre_line - per_y * y_of_line[line] - by_line_of[line]);
+      const Float8 weight = inside * inside * inside;
+      weights += weight;
+      for (int channel = 0; channel < channels; ++channel)
+        values[channel] += weight * load(values_at + channel * source.plane);
+    }
+  }
+
+  Float4 mean() const {
+    const Float8 totals = sums_of(values[0], values[1], values[2], channels < 4 ? weights : values[3]);
+    const float weight = channels < 4 ? totals[6] : sums_of(weights, weights, weights, weights)[0];
+    return __builtin_shufflevector(totals, totals, 0, 4, 2, 6) * (1 / weight);
+  }
+};
+
+/// Calls use(i, mean) for each pixel of which something is to be gathered, and skip(i) for the others.
+template <int channels, typename Use, typename Skip>
+void gather_pixels(const Planes source, const Blocks& blocks, const KernelRow& kernels, int count,
+                   const Use& use, const Skip& skip) {
   for (int i = 0; i < count; ++i) {
-    if (row.bounds.x0[i] >= 0)
-      gather_pixel<channels>(patch, row, i, pixels + i * channels);
-    else
-      std::fill_n(pixels + i * channels, channels, 0.0f);
+    const int columns = blocks.columns[i], lines = blocks.lines[i];
+    if (columns == 0) {
+      skip(i);
+      continue;
+    }
+    const float xx = kernels.conic_xx[i], xy = 2 * kernels.conic_xy[i], yy = kernels.conic_yy[i];
+    const float x = blocks.x[i], y = blocks.y[i];
+    const float* corner = source.values + blocks.offset[i];
+    Sums<channels> sums;
+    if (columns <= lanes && lines <= lanes) {
+      sums.add(source, corner, lines, x, y, xx, xy, yy);
+    } else {
+      for (int column = 0; column < columns; column += lanes)
+        for (int line = 0; line < lines; line += lanes)
+          sums.add(source, corner + column + line * source.stride, std::min(lanes, lines - line), x + column,
+                   y + line, xx, xy, yy);
+    }
+    use(i, sums.mean());
   }
 }
 
 }  // namespace
 
 void gather_row(const PlanarPatch& patch, const PlacedKernels& row, int count, float* pixels) {
-  with_channel_count(patch.channels,
-                     [&](auto channels) { gather_pixels<channels>(patch, row, count, pixels); });
+  const Planes source{patch.values.data(), patch.stride, patch.stride * patch.rect.height};
+  const Blocks blocks(patch, row, count);
+  with_channel_count(patch.channels, [&](auto channels) {
+    const auto set = [=](int i, const Float4& mean) {
+      std::memcpy(pixels + i * channels, &mean, channels * sizeof(float));
+    };
+    const auto clear = [=](int i) { std::fill_n(pixels + i * channels, channels, 0.0f); };
+    gather_pixels<channels>(source, blocks, row.kernels, count, set, clear);
+  });
+}
+
+void add_gathered_row(const PlanarPatch& patch, const PlacedKernels& row, const float* weights, int count,
+                      float* pixels) {
+  const Planes source{patch.values.data(), patch.stride, patch.stride * patch.rect.height};
+  const Blocks blocks(patch, row, count);
+  with_channel_count(patch.channels, [&](auto channels) {
+    const auto add = [=](int i, const Float4& mean) {
+      Float4 pixel{};
+      std::memcpy(&pixel, pixels + i * channels, channels * sizeof(float));
+      pixel += mean * weights[i];
+      std::memcpy(pixels + i * channels, &pixel, channels * sizeof(float));
+    };
+    gather_pixels<channels>(source, blocks, row.kernels, count, add, [](int) {});
+  });
 }
 
 }  // namespace cps

@@ -18,4 +18,8 @@ struct PlacedKernels {
 /// the patch and contain at least one pixel centre of the ellipse.
 void gather_row(const PlanarPatch& patch, const PlacedKernels& row, int count, float* pixels);
 
+/// As gather_row(), but adds the means, each multiplied by its weight, to what the pixels are.
+void add_gathered_row(const PlanarPatch& patch, const PlacedKernels& row, const float* weights, int count,
+                      float* pixels);
+
 }  // namespace cps

@@ -15,6 +15,12 @@ void split_row(const float* __restrict pixels, int width, std::size_t plane, flo
       row[channel * plane + x] = pixels[x * channels + channel];
 }
 
+/// Asks for a row of an image, so that it is on its way from memory when it is read.
+void prefetch_row(const void* row, std::size_t bytes) {
+  constexpr std::size_t cache_line = 64;
+  for (std::size_t i = 0; i < bytes; i += cache_line) __builtin_prefetch(static_cast<const char*>(row) + i);
+}
+
 }  // namespace
 
 void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& patch) {
@@ -27,8 +33,14 @@ void read_patch(const OIIO::ImageBuf& image, const TileRect& rect, PlanarPatch& 
 
   const bool is_float = spec.format == OIIO::TypeFloat;
   std::vector<float> converted(is_float ? 0 : std::size_t(rect.width) * patch.channels);
+  const auto stored_row = [&](int line) {
+    return image.pixeladdr(spec.x + rect.x0, spec.y + rect.y0 + line);
+  };
+  constexpr int ahead = 4;
   for (int line = 0; line < rect.height; ++line) {
-    const void* stored = image.pixeladdr(spec.x + rect.x0, spec.y + rect.y0 + line);
+    if (line + ahead < rect.height)
+      prefetch_row(stored_row(line + ahead), std::size_t(rect.width) * spec.pixel_bytes());
+    const void* stored = stored_row(line);
     if (!is_float)
       OIIO::convert_pixel_values(spec.format, stored, OIIO::TypeFloat, converted.data(),
                                  int(converted.size()));

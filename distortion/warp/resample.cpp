@@ -32,7 +32,6 @@ struct Worker {
   PlanarPatch noise_patch;
   WeightedKernelRow noise_kernels;
   BoundsRow noise_bounds;
-  std::vector<float> noise_pixels;
 
   double worst_residual_px = 0;
   alignas(32) std::array<float, side> smallest_variance;  ///< by column of the tile
@@ -62,16 +61,12 @@ void gather_picture(int row, Worker& worker) {
 /// Gathers the noise of a row of the tile and adds it to worker.pixels.
 void add_noise(const NoiseTarget& target, int row, Worker& worker) {
   const FootprintTile& tile = *worker.tile;
-  const int channels = worker.noise_patch.channels;
   make_noise_kernels(target, tile.kernels[row], tile.width, worker.noise_kernels);
   find_noise_bounds(tile, row, worker.noise_kernels, worker.bounds[row], worker.noise_bounds);
-  gather_row(worker.noise_patch,
-             {&tile.x[row * side], &tile.y[row * side], worker.noise_kernels.kernels, worker.noise_bounds},
-             tile.width, worker.noise_pixels.data());
-  for (int i = 0; i < tile.width; ++i)
-    for (int channel = 0; channel < channels; ++channel)
-      worker.pixels[i * channels + channel] +=
-          worker.noise_pixels[i * channels + channel] * worker.noise_kernels.weight[i];
+  add_gathered_row(
+      worker.noise_patch,
+      {&tile.x[row * side], &tile.y[row * side], worker.noise_kernels.kernels, worker.noise_bounds},
+      worker.noise_kernels.weight.data(), tile.width, worker.pixels.data());
 }
 
 /// Gathers the tile of the output at (x0, y0) through the footprints in `worker.tile`.
@@ -89,7 +84,6 @@ void gather_tile(const OIIO::ImageBuf& source, const AddedNoise* noise, int x0, 
   const OIIO::ImageSpec& spec = output.spec();
   const std::size_t values = std::size_t(tile.width) * spec.nchannels;
   worker.pixels.resize(values);
-  worker.noise_pixels.resize(values);
   for (int row = 0; row < tile.height; ++row) {
     gather_picture(row, worker);
     if (noise) add_noise(noise->target, row, worker);
@@ -104,7 +98,7 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const AddedNoise* noise, c
                         const WarpOptions& options, const Footprints& footprints, WarpSummary* summary) {
   OIIO::ImageSpec spec(output.width, output.height, source.spec().nchannels, source.spec().format);
   spec.channelnames = source.spec().channelnames;
-  OIIO::ImageBuf image(spec);
+  OIIO::ImageBuf image(spec, OIIO::InitializePixels::No);
 
   tbb::enumerable_thread_specific<Worker> workers;
   const tbb::blocked_range2d<int> tiles(0, (output.height + side - 1) / side, 1, 0,
