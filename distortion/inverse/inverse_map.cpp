@@ -101,17 +101,19 @@ void invert_tile(const Distortion& lens, const Eigen::AlignedBox2d& box, const P
   for (int row = 0; row < height; ++row) {
     double* x = &tile.x[row * side];
     double* y = &tile.y[row * side];
-    std::fill_n(x, width, 0.0);
-    std::fill_n(y, width, 0.0);
+    std::array<Eigen::Vector2d, nodes> at_row;
     for (int i = 0; i < nodes; ++i) {
-      Eigen::Vector2d at_row = Eigen::Vector2d::Zero();
-      for (int j = 0; j < nodes; ++j) at_row += down.weight[j][row] * node[j][i];
-      const double node_x = at_row.x(), node_y = at_row.y();
-      const double* weight = across.weight[i].data();
-      for (int column = 0; column < width; ++column) {
-        x[column] += weight[column] * node_x;
-        y[column] += weight[column] * node_y;
+      at_row[i].setZero();
+      for (int j = 0; j < nodes; ++j) at_row[i] += down.weight[j][row] * node[j][i];
+    }
+    for (int column = 0; column < width; ++column) {
+      double sum_x = 0, sum_y = 0;
+      for (int i = 0; i < nodes; ++i) {
+        sum_x += across.weight[i][column] * at_row[i].x();
+        sum_y += across.weight[i][column] * at_row[i].y();
       }
+      x[column] = sum_x;
+      y[column] = sum_y;
     }
 
     const TargetRow target{width, xd.data(), to_plane(camera, {0, y0 + row}).y()};

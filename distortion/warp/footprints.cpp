@@ -33,7 +33,9 @@ void kernels_of_row(const KernelScale scale, const JacobianRow& __restrict jacob
                     FootprintTile& __restrict tile) {
   constexpr double pixel_variance = 1.0 / 12, support2 = kernel_support * kernel_support;
   constexpr double narrowest = narrowest_sigma_px * narrowest_sigma_px;
-  const int count = tile.width, first = row * side;
+  const int count = tile.width;
+  KernelRow& __restrict kernels = tile.kernels[row];
+  float* __restrict smaller_variance = &tile.smaller_variance[row * side];
   for (int i = 0; i < count; ++i) {
     const double axx = scale.xx * jacobian.xx[i], axy = scale.xy * jacobian.xy[i];
     const double ayx = scale.yx * jacobian.xy[i], ayy = scale.yy * jacobian.yy[i];
@@ -46,12 +48,12 @@ void kernels_of_row(const KernelScale scale, const JacobianRow& __restrict jacob
     cxx += lacking;
     cyy += lacking;
     const double to_conic = 1 / ((cxx * cyy - cxy * cxy) * support2);
-    tile.conic_xx[first + i] = static_cast<float>(cyy * to_conic);
-    tile.conic_xy[first + i] = static_cast<float>(-cxy * to_conic);
-    tile.conic_yy[first + i] = static_cast<float>(cxx * to_conic);
-    tile.half_width[first + i] = static_cast<float>(kernel_support * std::sqrt(cxx));
-    tile.half_height[first + i] = static_cast<float>(kernel_support * std::sqrt(cyy));
-    tile.smaller_variance[first + i] = static_cast<float>(smaller);
+    kernels.conic_xx[i] = static_cast<float>(cyy * to_conic);
+    kernels.conic_xy[i] = static_cast<float>(-cxy * to_conic);
+    kernels.conic_yy[i] = static_cast<float>(cxx * to_conic);
+    kernels.half_width[i] = static_cast<float>(kernel_support * std::sqrt(cxx));
+    kernels.half_height[i] = static_cast<float>(kernel_support * std::sqrt(cyy));
+    smaller_variance[i] = static_cast<float>(smaller);
   }
 }
 
@@ -72,7 +74,6 @@ void start(FootprintTile& tile, const TileRect& rect) {
   tile.width = rect.width;
   tile.height = rect.height;
   tile.worst_residual_px = 0;
-  tile.weighted = false;
 }
 
 }  // namespace

@@ -19,18 +19,22 @@ inline constexpr double kernel_support = 3.1622776601683795;  // √10 standard 
 /// phase between the two pixel grids: by .002 px at .44, .06 px at .38 (docs/benchmarks/lens.md).
 inline constexpr double narrowest_sigma_px = 0.42;
 
+/// The kernels of one row of an output tile, in source pixels.
+struct KernelRow {
+  static constexpr int side = InverseMapTile::side;
+  /// C⁻¹ / support², and the half width and height of the ellipse's bounding box.
+  alignas(32) std::array<float, side> conic_xx, conic_xy, conic_yy, half_width, half_height;
+};
+
 /// For each pixel of an output tile: where the ray through its centre meets the source image, and the kernel
-/// that gathers the pixel from it. In source pixels; arrays are row-major with stride `side`.
+/// that gathers the pixel from it. In source pixels; plain arrays are row-major with stride `side`.
 struct FootprintTile {
   static constexpr int side = InverseMapTile::side;
   int width = 0, height = 0;                         ///< used part, ≤ side
   alignas(32) std::array<double, side * side> x, y;  ///< centre; NaN: the ray is outside the source
-  /// C⁻¹ / support², and the half width and height of the ellipse's bounding box.
-  alignas(32) std::array<float, side * side> conic_xx, conic_xy, conic_yy, half_width, half_height;
+  std::array<KernelRow, side> kernels;               ///< by row
   /// Smaller eigenvalue of C, before it is raised to narrowest_sigma_px² where it is below.
   alignas(32) std::array<float, side * side> smaller_variance;
-  std::array<float, side * side> weight;  ///< factor on each gathered pixel; read only if `weighted`
-  bool weighted = false;
   double worst_residual_px = 0;  ///< of the inversion; 0 where there was none
 };
 

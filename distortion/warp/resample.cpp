@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,70 +13,94 @@
 #include <vector>
 
 #include "distortion/warp/gather.h"
+#include "distortion/warp/pixel_bounds.h"
+#include "distortion/warp/planar_patch.h"
 #include "distortion/warp/point_sample.h"
 
 namespace cps {
 namespace {
 
+constexpr int side = FootprintTile::side;
+
 /// One worker thread's buffers and tallies.
 struct Worker {
   std::unique_ptr<FootprintTile> tile = std::make_unique<FootprintTile>();
+  std::vector<BoundsRow> bounds = std::vector<BoundsRow>(side);
   PlanarPatch patch;
-  std::vector<PixelBounds> bounds = std::vector<PixelBounds>(FootprintTile::side * FootprintTile::side);
-  std::vector<float> row;
-  double worst_residual_px = 0, smallest_variance = std::numeric_limits<double>::infinity();
+  std::vector<float> pixels;
+
+  PlanarPatch noise_patch;
+  WeightedKernelRow noise_kernels;
+  BoundsRow noise_bounds;
+
+  double worst_residual_px = 0;
+  alignas(32) std::array<float, side> smallest_variance;  ///< by column of the tile
   std::int64_t uncovered = 0;
+
+  Worker() { smallest_variance.fill(std::numeric_limits<float>::infinity()); }
 };
 
-/// Gathers the tile of the output at (x0, y0) through the footprints in `worker.tile`.
-void gather_tile(const OIIO::ImageBuf& source, int x0, int y0, Worker& worker, OIIO::ImageBuf& output) {
+/// Takes note of the narrowest kernels of a row of the tile, among pixels with a footprint.
+void note_variances(const FootprintTile& tile, int row, const BoundsRow& bounds,
+                    std::array<float, side>& smallest) {
+  const float* variance = &tile.smaller_variance[row * side];
+  const int count = tile.width;
+  for (int i = 0; i < count; ++i) {
+    const bool smaller = (bounds.x0[i] >= 0) & (variance[i] < smallest[i]);
+    smallest[i] = smaller ? variance[i] : smallest[i];
+  }
+}
+
+/// Gathers a row of the tile into worker.pixels.
+void gather_picture(int row, Worker& worker) {
   const FootprintTile& tile = *worker.tile;
-  constexpr PixelBounds uncovered{-1, -1, -1, -1};
-  PixelBounds all{source.spec().width, source.spec().height, -1, -1};
-  for (int row = 0; row < tile.height; ++row)
-    for (int column = 0; column < tile.width; ++column) {
-      const int index = row * FootprintTile::side + column;
-      PixelBounds& bounds = worker.bounds[index];
-      if (!is_footprint_inside(tile, index, source.spec().width, source.spec().height)) {
-        bounds = uncovered;
-        ++worker.uncovered;
-        continue;
-      }
-      bounds = pixel_bounds(tile, index);
-      worker.smallest_variance = std::min(worker.smallest_variance, double(tile.smaller_variance[index]));
-      all = {std::min(all.x0, bounds.x0), std::min(all.y0, bounds.y0), std::max(all.x1, bounds.x1),
-             std::max(all.y1, bounds.y1)};
-    }
-  if (all.x1 >= all.x0)
-    read_patch(source, {all.x0, all.y0, all.x1 - all.x0 + 1, all.y1 - all.y0 + 1}, worker.patch);
+  gather_row(worker.patch, {&tile.x[row * side], &tile.y[row * side], tile.kernels[row], worker.bounds[row]},
+             tile.width, worker.pixels.data());
+}
+
+/// Gathers the noise of a row of the tile and adds it to worker.pixels.
+void add_noise(const NoiseTarget& target, int row, Worker& worker) {
+  const FootprintTile& tile = *worker.tile;
+  make_noise_kernels(target, tile.kernels[row], tile.width, worker.noise_kernels);
+  find_noise_bounds(tile, row, worker.noise_kernels, worker.bounds[row], worker.noise_bounds);
+  add_gathered_row(
+      worker.noise_patch,
+      {&tile.x[row * side], &tile.y[row * side], worker.noise_kernels.kernels, worker.noise_bounds},
+      worker.noise_kernels.weight.data(), tile.width, worker.pixels.data());
+}
+
+/// Gathers the tile of the output at (x0, y0) through the footprints in `worker.tile`.
+void gather_tile(const OIIO::ImageBuf& source, const AddedNoise* noise, int x0, int y0, Worker& worker,
+                 OIIO::ImageBuf& output) {
+  const FootprintTile& tile = *worker.tile;
+  for (int row = 0; row < tile.height; ++row) {
+    worker.uncovered += find_bounds(tile, row, source.spec().width, source.spec().height, worker.bounds[row]);
+    note_variances(tile, row, worker.bounds[row], worker.smallest_variance);
+  }
+  const TileRect seen = common_bounds({worker.bounds.data(), std::size_t(tile.height)}, tile.width);
+  read_patch(source, seen, worker.patch);
+  if (noise) read_patch(noise->image, seen, worker.noise_patch);
 
   const OIIO::ImageSpec& spec = output.spec();
-  worker.row.resize(std::size_t(tile.width) * spec.nchannels);
+  const std::size_t values = std::size_t(tile.width) * spec.nchannels;
+  worker.pixels.resize(values);
   for (int row = 0; row < tile.height; ++row) {
-    std::fill(worker.row.begin(), worker.row.end(), 0.0f);
-    for (int column = 0; column < tile.width; ++column) {
-      const int index = row * FootprintTile::side + column;
-      if (worker.bounds[index].x0 < 0) continue;
-      float* pixel = &worker.row[std::size_t(column) * spec.nchannels];
-      gather(worker.patch, tile, index, worker.bounds[index], pixel);
-      if (!tile.weighted) continue;
-      for (int channel = 0; channel < spec.nchannels; ++channel) pixel[channel] *= tile.weight[index];
-    }
-    OIIO::convert_pixel_values(OIIO::TypeFloat, worker.row.data(), spec.format,
-                               output.pixeladdr(x0, y0 + row), int(worker.row.size()));
+    gather_picture(row, worker);
+    if (noise) add_noise(noise->target, row, worker);
+    OIIO::convert_pixel_values(OIIO::TypeFloat, worker.pixels.data(), spec.format,
+                               output.pixeladdr(x0, y0 + row), int(values));
   }
 }
 
 }  // namespace
 
-OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, const WarpOptions& options,
-                        const Footprints& footprints, WarpSummary* summary) {
+OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const AddedNoise* noise, const Pinhole& output,
+                        const WarpOptions& options, const Footprints& footprints, WarpSummary* summary) {
   OIIO::ImageSpec spec(output.width, output.height, source.spec().nchannels, source.spec().format);
   spec.channelnames = source.spec().channelnames;
-  OIIO::ImageBuf image(spec);
+  OIIO::ImageBuf image(spec, OIIO::InitializePixels::No);
 
   tbb::enumerable_thread_specific<Worker> workers;
-  constexpr int side = FootprintTile::side;
   const tbb::blocked_range2d<int> tiles(0, (output.height + side - 1) / side, 1, 0,
                                         (output.width + side - 1) / side, 1);
   tbb::parallel_for(
@@ -89,7 +114,7 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
                        *worker.tile);
             worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
             if (options.resampling == Resampling::footprint)
-              gather_tile(source, x0, y0, worker, image);
+              gather_tile(source, noise, x0, y0, worker, image);
             else
               worker.uncovered += sample_tile(source, *worker.tile, options.resampling, x0, y0, image);
           }
@@ -97,13 +122,13 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const Pinhole& output, con
       tbb::simple_partitioner());
 
   WarpSummary result;
-  double smallest_variance = std::numeric_limits<double>::infinity();
+  float smallest_variance = std::numeric_limits<float>::infinity();
   for (const Worker& worker : workers) {
     result.worst_residual_px = std::max(result.worst_residual_px, worker.worst_residual_px);
-    smallest_variance = std::min(smallest_variance, worker.smallest_variance);
+    smallest_variance = std::min(smallest_variance, *std::ranges::min_element(worker.smallest_variance));
     result.uncovered_pixels += worker.uncovered;
   }
-  result.smallest_kernel_sigma_px = std::sqrt(std::max(0.0, smallest_variance));
+  result.smallest_kernel_sigma_px = std::sqrt(std::max(0.0, double(smallest_variance)));
   if (summary) *summary = result;
 
   if (options.require_coverage && result.uncovered_pixels > 0)

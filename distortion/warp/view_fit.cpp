@@ -12,7 +12,7 @@
 #include "distortion/inverse/inverse.h"
 #include "distortion/label_algebra.h"
 #include "distortion/warp/footprints.h"
-#include "distortion/warp/gather.h"
+#include "distortion/warp/pixel_bounds.h"
 #include "distortion/warp/warp_options.h"
 
 namespace cps {
@@ -34,10 +34,9 @@ bool is_rim_covered(MakeFootprints make_footprints, const ResamplingGeometry& ge
   const auto tile = std::make_unique<FootprintTile>();
   const auto is_covered = [&](const TileRect& rect) {
     make_footprints(geometry, rect, *tile);
+    BoundsRow bounds;
     for (int row = 0; row < rect.height; ++row)
-      for (int column = 0; column < rect.width; ++column) {
-        if (!is_footprint_inside(*tile, row * side + column, source.width, source.height)) return false;
-      }
+      if (find_bounds(*tile, row, source.width, source.height, bounds) > 0) return false;
     return true;
   };
   for (int x0 = 0; x0 < output.width; x0 += side) {

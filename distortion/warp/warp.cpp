@@ -44,20 +44,22 @@ Eigen::AlignedBox2d box_to_invert_on(const Distortion& lens, const Eigen::Aligne
 
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options, WarpSummary* summary) {
-  return warp_through({}, master, master_camera, lens, output, options, summary);
+  return warp_with_noise(master, nullptr, master_camera, lens, output, options, summary);
 }
 
-OIIO::ImageBuf warp_through(const FootprintChange& change, const OIIO::ImageBuf& master,
-                            const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
-                            const WarpOptions& options, WarpSummary* summary) {
+OIIO::ImageBuf warp_with_noise(const OIIO::ImageBuf& master, const OIIO::ImageBuf* noise,
+                               const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
+                               const WarpOptions& options, WarpSummary* summary) {
   check_source(master, master_camera, output, options);
   const Eigen::AlignedBox2d box = box_to_invert_on(lens, frame_on_plane(master_camera), output, options.box);
   const ResamplingGeometry geometry{lens, box, master_camera, output, options.kernel_sigma_px};
   const Footprints footprints = [&](const TileRect& rect, FootprintTile& tile) {
     distorting_footprints(geometry, rect, tile);
-    if (change) change(tile);
   };
-  return resample(master, output, options, footprints, summary);
+  if (!noise) return resample(master, nullptr, output, options, footprints, summary);
+  check_source(*noise, master_camera, output, options);
+  const AddedNoise added{*noise, NoiseTarget(options.kernel_sigma_px)};
+  return resample(master, &added, output, options, footprints, summary);
 }
 
 OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const Distortion& lens,
@@ -69,7 +71,7 @@ OIIO::ImageBuf unwarp(const OIIO::ImageBuf& source, const Pinhole& camera, const
   const Footprints footprints = [&](const TileRect& rect, FootprintTile& tile) {
     undistorting_footprints(geometry, rect, tile);
   };
-  return resample(source, output, options, footprints, summary);
+  return resample(source, nullptr, output, options, footprints, summary);
 }
 
 }  // namespace cps

@@ -3,11 +3,9 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include <cstdint>
-#include <functional>
 
 #include "distortion/brown_conrady.h"
 #include "distortion/pinhole.h"
-#include "distortion/warp/footprints.h"
 #include "distortion/warp/warp_options.h"
 
 namespace cps {
@@ -29,13 +27,11 @@ struct WarpSummary {
 OIIO::ImageBuf warp(const OIIO::ImageBuf& master, const Pinhole& master_camera, const Distortion& lens,
                     const Pinhole& output, const WarpOptions& options = {}, WarpSummary* summary = nullptr);
 
-/// Changes the kernels of a tile before any pixel is gathered through them.
-using FootprintChange = std::function<void(FootprintTile& tile)>;
-
-/// As warp(), but through the changed kernels at the same places. Without a change: warp() itself.
-OIIO::ImageBuf warp_through(const FootprintChange& change, const OIIO::ImageBuf& master,
-                            const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
-                            const WarpOptions& options, WarpSummary* summary = nullptr);
+/// As warp(), and adds `noise` of the master's size through kernels of its own, as warp() of a NoisyMaster
+/// does (render_noise.h), which is what to call. Without noise: warp() itself.
+OIIO::ImageBuf warp_with_noise(const OIIO::ImageBuf& master, const OIIO::ImageBuf* noise,
+                               const Pinhole& master_camera, const Distortion& lens, const Pinhole& output,
+                               const WarpOptions& options, WarpSummary* summary = nullptr);
 
 /// The inverse of warp(): the ideal image at `output` of `source`, which was seen through the lens at
 /// `camera`. Pixels that the source does not show, or shows only beyond a fold of the lens, are 0; with

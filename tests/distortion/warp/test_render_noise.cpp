@@ -1,6 +1,9 @@
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 
 #include "distortion/crop/crop.h"
 #include "distortion/warp/master_camera.h"
@@ -8,6 +11,8 @@
 #include "numbers/angles.h"
 #include "random/counter_hash.h"
 #include "tests/distortion/barrel.h"
+#include "tests/distortion/random_lens.h"
+#include "tests/distortion/warp/slow_warp.h"
 
 using namespace cps;
 
@@ -85,6 +90,74 @@ TEST_CASE("render noise has one level and one grain wherever the lens enlarges o
   CHECK(uneven.variance(0) > 2 * uneven.variance(Rings::count - 1));
 }
 
+TEST_CASE("the warp of a noisy master is what the derivation says, pixel by pixel") {
+  const Stream stream = make_stream(20, "lenses");
+  const std::pair<int, int> sizes[] = {{1, 1}, {65, 3}, {3, 130}, {96, 54}, {64, 64}};
+  int lenses = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Stream s = substream(stream, i);
+    const auto [width, height] = sizes[i % std::size(sizes)];
+    const int channels = 1 + i % 4;
+    const Pinhole base = pinhole_from_hfov(width, height, radians(random_uniform(s, 0, 20, 140)));
+    // Without a lens every fifth time, and then sometimes enlarged beyond where noise is added.
+    const Distortion lens = i % 5 == 4 ? Distortion{} : random_lens(stream, i, base);
+    const Crop crop = border_free_crop(lens, base, {base.cx + 0.01 * width, base.cy - 0.02 * height});
+    if (!crop.valid) continue;
+    Pinhole output = crop.camera;
+    if (i % 5 == 4) output.fx *= 1 + 0.1 * (i % 9), output.fy = output.fx;
+    const WarpOptions options{.box = frame_on_plane(base)};
+    const Pinhole camera = master_camera(base, options, crop.certificate.min_eigenvalue);
+    NoisyMaster master;
+    for (OIIO::ImageBuf* image : {&master.picture, &master.noise}) {
+      *image = OIIO::ImageBuf(OIIO::ImageSpec(camera.width, camera.height, channels, OIIO::TypeFloat));
+      auto* values = static_cast<float*>(image->localpixels());
+      const Stream pixels = make_stream(s.key, image == &master.noise ? "noise" : "picture");
+      for (std::size_t k = 0; k < std::size_t(camera.width) * camera.height * channels; ++k)
+        values[k] = float(random_normal(pixels, k));
+    }
+    const OIIO::ImageBuf image = warp(master, camera, lens, output, options);
+    for (int k = 0; k < std::min(200, width * height); ++k) {
+      const int x = int(random_below(s, 100 + 2 * k, width)), y = int(random_below(s, 101 + 2 * k, height));
+      const Channels expected = slow_warp_pixel(master.picture, master.noise, camera, lens, options.box,
+                                                output, options.kernel_sigma_px, {x, y});
+      INFO("lens " << i << ", pixel (" << x << ", " << y << ") of " << width << " x " << height);
+      for (int c = 0; c < channels; ++c)
+        REQUIRE(image.getchannel(x, y, 0, c) == Approx(expected[c]).margin(2e-5));
+    }
+    ++lenses;
+  }
+  CHECK(lenses > 30);
+}
+
+TEST_CASE("a noisy master gives the same bytes for any number of threads") {
+  const Barrel b;
+  const Stream stream = make_stream(21, "picture");
+  const NoisyMaster master = join_halves(b.noise(1, 3, make_stream(stream.key, "first")),
+                                         b.noise(1, 3, make_stream(stream.key, "second")));
+  std::vector<OIIO::ImageBuf> images;
+  for (const int threads : {1, 2, 7}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    images.push_back(warp(master, b.master, b.lens, b.crop.camera, b.options));
+  }
+  for (int i = 1; i < 3; ++i)
+    CHECK(std::memcmp(images[0].localpixels(), images[i].localpixels(), images[0].spec().image_bytes()) == 0);
+}
+
+TEST_CASE("where no noise can be added, the picture stays as it is") {
+  const Barrel b;
+  // Enlarged by 1.7, a master pixel is larger than the grain that noise is brought to.
+  const Pinhole camera = master_camera(b.base, {}, 1);
+  Pinhole close = b.base;
+  close.fx = close.fy = 1.7 * b.base.fx;
+  Barrel undistorted;
+  undistorted.master = camera;
+  const Stream stream = make_stream(22, "picture");
+  const NoisyMaster master = join_halves(undistorted.noise(1, 2, make_stream(stream.key, "first")),
+                                         undistorted.noise(1, 2, make_stream(stream.key, "second")));
+  const auto image = warp(master, camera, {}, close), picture = warp(master.picture, camera, {}, close);
+  CHECK(std::memcmp(image.localpixels(), picture.localpixels(), image.spec().image_bytes()) == 0);
+}
+
 TEST_CASE("equal halves give the warp of their mean") {
   const Barrel b;
   const Stream stream = make_stream(18, "picture");
@@ -106,4 +179,12 @@ TEST_CASE("halves of different sizes, and resampling that cannot average, are re
   WarpOptions options = b.options;
   options.resampling = Resampling::nearest;
   CHECK_THROWS_WITH(warp(master, b.master, b.lens, b.crop.camera, options), Catch::Contains("averaged"));
+  NoisyMaster other_channels{b.noise(1, 3, stream), b.noise(1, 1, stream)};
+  CHECK_THROWS_WITH(warp(other_channels, b.master, b.lens, b.crop.camera, b.options),
+                    Catch::Contains("channels"));
+  NoisyMaster other_size{b.noise(1, 1, stream), OIIO::ImageBuf(OIIO::ImageSpec(9, 9, 1, OIIO::TypeFloat))};
+  CHECK_THROWS_WITH(warp(other_size, b.master, b.lens, b.crop.camera, b.options), Catch::Contains("9 x 9"));
+  CHECK_THROWS_WITH(
+      warp({b.noise(1, 1, stream), OIIO::ImageBuf()}, b.master, b.lens, b.crop.camera, b.options),
+      Catch::Contains("channels"));
 }
