@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "production/scene_files.h"
+#include "renderer/paths/build_render_scene.h"
 
 namespace cps {
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/paths/hit_ids.h"
+#include "renderer/paths/path_steps.h"
 
 namespace cps {
 namespace {

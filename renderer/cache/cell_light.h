@@ -3,9 +3,13 @@
 #include <functional>
 
 #include "renderer/cache/cell.h"
-#include "renderer/paths/path_steps.h"
 
 namespace cps {
+
+struct Hit;
+struct Path;
+struct RenderScene;
+struct SunAndSkyRays;
 
 /// Light that arrives at a cell's surfaces from everywhere but the sun and the lamps that light samples draw.
 struct CellLight {

@@ -2,13 +2,15 @@
 
 #include <tbb/concurrent_unordered_map.h>
 
-#include <atomic>
 #include <optional>
+#include <string>
 
 #include "renderer/cache/cell_light.h"
 #include "renderer/cache/cell_sizes.h"
 
 namespace cps {
+
+struct Surface;
 
 struct LightCacheOptions {
   double memory_gib = 1;  ///< for cells
@@ -34,11 +36,6 @@ class LightCache {
   /// Forgets all cells if they take most of the memory. Not while the scene is rendered.
   void make_room();
 
-  /// What cells say of the light at a surface that the path has hit, `distance_m` from where it came:
-  /// radiance of white paper there, without sun and lamps. Empty where the light may change within the
-  /// smallest cells; then paths must find it. Adds the rays traced for it to path.rays.
-  std::optional<Color> light_at(Path& path, const Hit& hit, const Surface& surface);
-
   /// As shade_vertex() of a path in the scene, but takes the light of a diffuse base from the cache wherever
   /// it knows it. The layer above, mirrors and glass lead on to the next surface.
   SunAndSkyRays shade(Path& path, const Hit& hit);
@@ -49,6 +46,11 @@ class LightCache {
   struct Hash {
     std::size_t operator()(const Cell& cell) const { return cell.hash(); }
   };
+
+  /// What cells say of the light at a surface that the path has hit: radiance of white paper there, without
+  /// sun and lamps. Empty where the light may change within the smallest cells; then paths must find it. Adds
+  /// the rays traced for it to path.rays.
+  std::optional<Color> light_at(Path& path, const Hit& hit, const Surface& surface);
 
   CellLight light_of(const Cell& cell, Path& path);
 

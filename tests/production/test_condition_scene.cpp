@@ -3,6 +3,7 @@
 #include <semaphore>
 
 #include "production/condition_scene.h"
+#include "renderer/paths/build_render_scene.h"
 #include "tests/production/tiny_dataset.h"
 
 using namespace cps;
@@ -29,13 +30,14 @@ struct CountedScenes {
   std::atomic<int> in_memory = 0, most_in_memory = 0;
   std::vector<int> loaded;  ///< conditions in their order
 
-  std::shared_ptr<RenderScene> load(int condition) {
+  std::shared_ptr<LitScene> load(int condition) {
     loaded.push_back(condition);
     most_in_memory = std::max(most_in_memory.load(), ++in_memory);
     Scene ground;
     ground.materials.emplace_back();
-    const std::shared_ptr<RenderScene> empty = build_render_scene(ground, {});
-    return {empty.get(), [this, empty](RenderScene*) { --in_memory; }};
+    const auto empty = std::make_shared<LitScene>();
+    empty->scene = build_render_scene(ground, {});
+    return {empty.get(), [this, empty](LitScene*) { --in_memory; }};
   }
   ConditionScene::Load loader() {
     return [this](const Plan&, int condition) { return load(condition); };
@@ -49,7 +51,7 @@ TEST_CASE("the scene is loaded once per condition") {
   const std::vector<PlannedView>& views = dataset.plan.views;
   REQUIRE(dataset.plan.conditions.size() == 2);
   ConditionScene loaded;
-  const RenderScene* const scene = &loaded.of(dataset.plan, views.front());
+  const LitScene* const scene = &loaded.of(dataset.plan, views.front());
   std::filesystem::remove(dataset.scene);  // nothing can be loaded any more
   int same = 0;
   for (const PlannedView& view : views)
@@ -75,27 +77,32 @@ TEST_CASE("a prefetched scene is loaded once, and no more than two are in memory
     CHECK(scenes.in_memory == 1);
   }
   CHECK(scenes.in_memory == 0);
-  CHECK(scenes.most_in_memory == 2);
+  CHECK(scenes.most_in_memory <= 2);
 }
 
 TEST_CASE("the next scene loads while the current one is there to be rendered") {
   const FourConditions four;
   CountedScenes scenes;
-  std::binary_semaphore begun(0), go_on(0);
+  std::binary_semaphore begun(0), go_on(0), ended(0);
   ConditionScene loaded([&](const Plan&, int condition) {
     if (condition == 1) {
       begun.release();
       go_on.acquire();
     }
-    return scenes.load(condition);
+    std::shared_ptr<LitScene> scene = scenes.load(condition);
+    if (condition == 1) ended.release();
+    return scene;
   });
-  const RenderScene* const current = &loaded.of(four.plan, four.views[0]);
+  const LitScene* const current = &loaded.of(four.plan, four.views[0]);
   loaded.prefetch(four.plan, four.views[1]);
   begun.acquire();  // it loads without being waited for
   CHECK(&loaded.of(four.plan, four.views[0]) == current);
   CHECK(scenes.in_memory == 1);
   go_on.release();
-  CHECK(&loaded.of(four.plan, four.views[1]) != nullptr);
+  ended.acquire();
+  loaded.prefetch(four.plan, four.views[2]);  // would be a third scene
+  CHECK(scenes.in_memory == 2);
+  loaded.of(four.plan, four.views[1]);
   CHECK(scenes.loaded == std::vector<int>{0, 1});
 }
 
