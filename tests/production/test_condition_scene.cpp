@@ -75,19 +75,21 @@ TEST_CASE("a prefetched scene is loaded once, and no more than two are in memory
     CHECK(scenes.in_memory == 1);
   }
   CHECK(scenes.in_memory == 0);
-  CHECK(scenes.most_in_memory == 2);
+  CHECK(scenes.most_in_memory <= 2);
 }
 
 TEST_CASE("the next scene loads while the current one is there to be rendered") {
   const FourConditions four;
   CountedScenes scenes;
-  std::binary_semaphore begun(0), go_on(0);
+  std::binary_semaphore begun(0), go_on(0), ended(0);
   ConditionScene loaded([&](const Plan&, int condition) {
     if (condition == 1) {
       begun.release();
       go_on.acquire();
     }
-    return scenes.load(condition);
+    std::shared_ptr<RenderScene> scene = scenes.load(condition);
+    if (condition == 1) ended.release();
+    return scene;
   });
   const RenderScene* const current = &loaded.of(four.plan, four.views[0]);
   loaded.prefetch(four.plan, four.views[1]);
@@ -95,7 +97,10 @@ TEST_CASE("the next scene loads while the current one is there to be rendered") 
   CHECK(&loaded.of(four.plan, four.views[0]) == current);
   CHECK(scenes.in_memory == 1);
   go_on.release();
-  CHECK(&loaded.of(four.plan, four.views[1]) != nullptr);
+  ended.acquire();
+  loaded.prefetch(four.plan, four.views[2]);  // would be a third scene
+  CHECK(scenes.in_memory == 2);
+  loaded.of(four.plan, four.views[1]);
   CHECK(scenes.loaded == std::vector<int>{0, 1});
 }
 
