@@ -50,8 +50,8 @@ void make_remaining(const Plan& plan, const RemainingViews& remaining, const Sha
 
 /// One line about the plan and, where places were drawn, about those.
 std::string brief(const Plan& plan) {
-  std::string line = fmt::format("{} views, {} groups, {} images", plan.views.size(), plan.groups.size(),
-                                 image_count(plan));
+  std::string line =
+      fmt::format("{} views, {} groups, {} images", plan.views.size(), plan.groups.size(), image_count(plan));
   return plan.places.drawn > 0 ? line + "; " + plan.places.brief() : line;
 }
 

@@ -33,7 +33,8 @@ void print_on_stderr(const std::string& line) {
 const Manual plan_manual{
     .name = "cps plan",
     .summary = "estimate what a recipe makes and costs",
-    .synopsis = {"--recipe FILE [--cores N] [--shards N] [--price P] [--out FOLDER] [--json] [--KEY VALUE ...]"},
+    .synopsis =
+        {"--recipe FILE [--cores N] [--shards N] [--price P] [--out FOLDER] [--json] [--KEY VALUE ...]"},
     .description = R"(
 Estimates what a dataset takes before it is begun: images, core-hours, memory,
 disk, time and money. Renders a few views of the recipe in a temporary folder
@@ -55,8 +56,8 @@ int cps_plan(const Arguments& arguments) {
       "cores", po::value<int>()->default_value(tbb::info::default_concurrency(), "this machine's"),
       "cores that will share the work, to estimate the time")(
       "shards", po::value<std::int64_t>()->default_value(1),
-      "processes that will share the work, as cps generate --shard I/N; each must start")("price", po::value<double>()->default_value(0),
-                                                              "price of a core-hour")(
+      "processes that will share the work, as cps generate --shard I/N; each must start")(
+      "price", po::value<double>()->default_value(0), "price of a core-hour")(
       "conditions", po::value<int>()->default_value(5),
       "conditions to measure, with one view of each size and H-FOV in each")("json", "print JSON");
   po::variables_map values;
