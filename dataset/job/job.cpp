@@ -51,8 +51,7 @@ std::string first_difference(const Job& before, const Job& now) {
     if (!difference.empty()) return difference;
   }
   // Where both orders of joining agree, no scene has two hashes.
-  return first_difference(joined_scenes(before.scenes, now.scenes),
-                          joined_scenes(now.scenes, before.scenes));
+  return first_difference(joined_scenes(before.scenes, now.scenes), joined_scenes(now.scenes, before.scenes));
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ double deviation(const std::vector<double>& values) {
   return values.size() < 2 ? 0 : std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-/// CPU seconds of all processes before they render. A shard plans every group, but loads the scenes of its own
-/// views alone, each for its places and to render it; two neighbours have at most one in common. After several
-/// shards cps finish plans everything once more.
+/// CPU seconds of all processes before they render. A shard plans every group, but loads the scenes of its
+/// own views alone, each for its places and to render it; two neighbours have at most one in common. After
+/// several shards cps finish plans everything once more.
 double start_cpu_s(const RecipeCounts& counts, const StartCosts& costs, std::int64_t shards) {
   const double again = shards > 1 ? 1 : 0;
   const auto shared = static_cast<double>(std::min(shards, std::max<std::int64_t>(counts.views, 1)) - 1);

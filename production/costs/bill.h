@@ -21,7 +21,7 @@ struct Bill {
   RecipeCounts counts;
   Processes processes;
   double render_core_h = 0, images_core_h = 0, scenes_core_h = 0;
-  double start_core_h = 0;  ///< of all processes before they render: loading scenes, drawing lenses and places
+  double start_core_h = 0;  ///< of all processes: to load scenes and draw lenses and places
   double core_h = 0;        ///< the sum of these
   /// Standard error of core_h: from the spread between conditions, or between views if larger.
   double core_h_error = 0;

@@ -21,8 +21,8 @@ std::string hours_text(double hours) {
 
 std::string start_text(std::int64_t shards) {
   if (shards == 1) return "scenes loaded, lenses and places drawn";
-  return fmt::format("{} shards load scenes and draw places for their own views, lenses for all; finish again",
-                     shards);
+  return fmt::format(
+      "{} shards load scenes and draw places for their own views, lenses for all; finish again", shards);
 }
 
 double dataset_bytes(const Bill& bill) {
@@ -58,9 +58,8 @@ std::string to_text(const Recipe& recipe, const Bill& bill, const Pilot& pilot, 
       "  start-up   {:>10.3g} core-hours: {}\n"
       "  all        {:>10.3g} core-hours, standard error {:.2g}; {:.3g} images a core-hour\n",
       recipe.name, n.images, n.groups, n.views, n.conditions, n.scenes, bill.render_core_h,
-      bill.images_core_h, bill.scenes_core_h, bill.start_core_h, start_text(bill.processes.shards), bill.core_h,
-      bill.core_h_error,
-      images / bill.core_h);
+      bill.images_core_h, bill.scenes_core_h, bill.start_core_h, start_text(bill.processes.shards),
+      bill.core_h, bill.core_h_error, images / bill.core_h);
   text += fmt::format("  time       {:>10} on {} cores that do nothing else\n",
                       hours_text(bill.core_h / resources.cores), resources.cores);
   if (resources.price_per_core_h > 0)

@@ -113,7 +113,7 @@ Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     sha256(read_file(file));  // as prepare_scenes() does
     DrivenScene driven = load_scene(file, drive, watch);
     const double loaded = process_cpu_s();
-    const SceneRays rays(driven.scene);  // as place_views() does next, to tell its cost from that of the draws
+    const SceneRays rays(driven.scene);  // built again by place_views(), and not a cost of its draws
     load_s += loaded - begin;
     rays_s += process_cpu_s() - loaded;
     const auto bytes = static_cast<std::int64_t>(estimated_bytes(driven.scene));
@@ -143,8 +143,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const PlannedView& view = plan.views[v];
     double before = process_cpu_s();
     LitScene& scene = loaded.of(plan, view);
-    pilot.start.condition_cpu_s +=
-        (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
+    pilot.start.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
     const Pinhole small = smaller(view.master, times);
     const RenderedHalves reduced = render_halves(plan.recipe, view, small, scene);

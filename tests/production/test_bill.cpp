@@ -22,18 +22,16 @@ constexpr RecipeCounts counts{
     .conditions = 3, .scene_files = 2, .sets = 4, .groups = 20, .views = 2 * (2 * 10 + 2 * 20)};
 
 Pilot two_conditions() {
-  return {.render_cpu_s = {{1, 2, 3, 4}, {3, 2, 5, 4}},
-          .full_size_ratio = 2,
-          .image_costs = {{.cpu_s = 0.5, .bytes = 1000}, {.cpu_s = 2, .bytes = 4000}},
-          .city_cpu_s = 10,
-          .scene_bytes = 1e6,
-          .start = {.group_cpu_s = 0.01,
-                    .scene_load_cpu_s = 5,
-                    .view_place_cpu_s = 0.1,
-                    .condition_cpu_s = 7},
-          .peak_bytes = 1'000'000'000,
-          .view_bytes = 100'000'000,
-          .scene_memory_bytes = 500'000'000};
+  return {
+      .render_cpu_s = {{1, 2, 3, 4}, {3, 2, 5, 4}},
+      .full_size_ratio = 2,
+      .image_costs = {{.cpu_s = 0.5, .bytes = 1000}, {.cpu_s = 2, .bytes = 4000}},
+      .city_cpu_s = 10,
+      .scene_bytes = 1e6,
+      .start = {.group_cpu_s = 0.01, .scene_load_cpu_s = 5, .view_place_cpu_s = 0.1, .condition_cpu_s = 7},
+      .peak_bytes = 1'000'000'000,
+      .view_bytes = 100'000'000,
+      .scene_memory_bytes = 500'000'000};
 }
 
 constexpr double hour_s = 3600;

@@ -60,7 +60,8 @@ TEST_CASE("1, 2, 3 and 7 shards of 1, 2 and 16 threads make the same bytes", "[s
   }
 }
 
-TEST_CASE("shards of a recipe with several scenes make the dataset of one process, each from its own scenes") {
+TEST_CASE(
+    "shards of a recipe with several scenes make the dataset of one process, each from its own scenes") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path;
   write_street_gltf(folder);

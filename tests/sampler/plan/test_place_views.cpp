@@ -44,7 +44,8 @@ TEST_CASE("views that are placed in parts get the places of the whole plan, from
   REQUIRE(count == 96);
   PlaceTally places;
   // Cut between the two cameras of a place.
-  for (const auto& [begin, end] : std::vector<std::pair<std::int64_t, std::int64_t>>{{0, 33}, {33, 34}, {34, 96}}) {
+  for (const auto& [begin, end] :
+       std::vector<std::pair<std::int64_t, std::int64_t>>{{0, 33}, {33, 34}, {34, 96}}) {
     Plan plan = outline_plan(recipe, two_cameras, plan_scenes(recipe, "cities"));
     std::vector<std::int64_t> views;
     for (std::int64_t v = begin; v < end; ++v) views.push_back(v);
