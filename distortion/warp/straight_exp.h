@@ -5,7 +5,7 @@
 #include <cstdint>
 
 /// exp and log without branches, calls or tables: a loop over them compiles to vector instructions. Exact to
-/// 2 units in the last place where stated; they do not look at their argument.
+/// 2 units in the last place for the arguments stated, which are not checked.
 namespace cps {
 
 namespace straight {
@@ -34,7 +34,7 @@ inline constexpr double ln2_low = 1.90821492927058770002e-10;   // ln 2 − ln2_
   return series * power_of_2;
 }
 
-/// log(x) of a positive normal number, not within 1/16 of 1, where the last digits would be lost.
+/// log(x) of a positive normal number. Within 1/16 of 1 only the absolute error is as small.
 [[gnu::always_inline]] inline double straight_log(double x) {
   // x = m · 2ⁿ, √½ ≤ m < √2. The exponent is taken as a whole number of biased bits and becomes a double by
   // standing in the lowest bits of 2⁵².
