@@ -11,6 +11,7 @@ RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, cons
                              LitScene& lit, const TileProgress& progress) {
   put_car(*lit.scene, world_from_vehicle(view.place));
   if (lit.cache) lit.cache->make_room();
+  const double cells_before_s = lit.cache ? lit.cache->summary().cpu_s : 0;
   RenderedHalves halves;
   const auto render_half = [&](const char* stream) {
     RenderSummary summary;
@@ -26,6 +27,7 @@ RenderedHalves render_halves(const Recipe& recipe, const PlannedView& view, cons
   };
   halves.first = render_half("first half");
   halves.second = render_half("second half");
+  if (lit.cache) halves.cells_cpu_s = lit.cache->summary().cpu_s - cells_before_s;
   return halves;
 }
 

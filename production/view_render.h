@@ -9,7 +9,8 @@ namespace cps {
 /// A view's undistorted, linear, oversampled render: two images, each with half of the samples.
 struct RenderedHalves {
   OIIO::ImageBuf first, second;
-  double cpu_s = 0;  ///< CPU seconds of both
+  double cpu_s = 0;        ///< CPU seconds of both
+  double cells_cpu_s = 0;  ///< those among them that computed cells of the light cache
 };
 
 /// The view's rig camera in the world, with `pinhole` as its intrinsics.

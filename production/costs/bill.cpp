@@ -77,7 +77,9 @@ Bill bill_of(const Recipe& recipe, const RecipeCounts& counts, const Pilot& pilo
   bill.scenes_core_h = static_cast<double>(counts.scene_files) * pilot.city_cpu_s / hour_s;
   bill.scene_bytes = static_cast<double>(counts.scene_files) * pilot.scene_bytes;
   bill.start_core_h = start_cpu_s(counts, pilot.start, processes.shards) / hour_s;
-  bill.core_h = bill.render_core_h + bill.images_core_h + bill.scenes_core_h + bill.start_core_h;
+  bill.cells_core_h = static_cast<double>(counts.views) * pilot.cells_cpu_s / hour_s;
+  bill.core_h =
+      bill.render_core_h + bill.cells_core_h + bill.images_core_h + bill.scenes_core_h + bill.start_core_h;
   return bill;
 }
 

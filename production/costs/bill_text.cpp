@@ -25,6 +25,14 @@ std::string start_text(std::int64_t shards) {
       "{} shards load scenes and draw places for their own views, lenses for all; finish again", shards);
 }
 
+/// Nothing where light is traced.
+std::string cells_text(double core_h) {
+  if (core_h == 0) return "";
+  return fmt::format(
+      "  cells      {:>10.3g} core-hours at most: views share those of the places that they have in common\n",
+      core_h);
+}
+
 double dataset_bytes(const Bill& bill) {
   return bill.image_bytes + bill.scene_bytes;
 }
@@ -53,13 +61,14 @@ std::string to_text(const Recipe& recipe, const Bill& bill, const Pilot& pilot, 
   std::string text = fmt::format(
       "{}: {} images in {} folders, of {} views in {} conditions of {} scenes\n"
       "  render     {:>10.3g} core-hours\n"
+      "{}"
       "  images     {:>10.3g} core-hours: warp, sensor, encoding\n"
       "  scenes     {:>10.3g} core-hours: made\n"
       "  start-up   {:>10.3g} core-hours: {}\n"
       "  all        {:>10.3g} core-hours, standard error {:.2g}; {:.3g} images a core-hour\n",
       recipe.name, n.images, n.groups, n.views, n.conditions, n.scenes, bill.render_core_h,
-      bill.images_core_h, bill.scenes_core_h, bill.start_core_h, start_text(bill.processes.shards),
-      bill.core_h, bill.core_h_error, images / bill.core_h);
+      cells_text(bill.cells_core_h), bill.images_core_h, bill.scenes_core_h, bill.start_core_h,
+      start_text(bill.processes.shards), bill.core_h, bill.core_h_error, images / bill.core_h);
   text += fmt::format("  time       {:>10} on {} cores that do nothing else\n",
                       hours_text(bill.core_h / resources.cores), resources.cores);
   if (resources.price_per_core_h > 0)
@@ -94,6 +103,7 @@ nlohmann::ordered_json to_json(const Recipe& recipe, const Bill& bill, const Pil
           {"views", n.views},
           {"images", n.images},
           {"render_core_h", bill.render_core_h},
+          {"cells_core_h", bill.cells_core_h},
           {"images_core_h", bill.images_core_h},
           {"scenes_core_h", bill.scenes_core_h},
           {"start_core_h", bill.start_core_h},

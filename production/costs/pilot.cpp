@@ -137,7 +137,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   std::vector<FullSize> full(sizes, FullSize{.wanted = sizes == 1 ? 3 : 2});
   std::vector<std::vector<double>> sum(plan.conditions.size(), std::vector<double>(plan.sets.size(), 0));
   std::vector<std::vector<int>> count(plan.conditions.size(), std::vector<int>(plan.sets.size(), 0));
-  double estimated_s = 0, full_s = 0;
+  double estimated_s = 0, full_s = 0, cells_s = 0;
   ConditionScene loaded;
   for (std::int64_t v = 0; v < static_cast<std::int64_t>(plan.views.size()); ++v) {
     const PlannedView& view = plan.views[v];
@@ -147,7 +147,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
     const Pinhole small = smaller(view.master, times);
     const RenderedHalves reduced = render_halves(plan.recipe, view, small, scene);
-    const double view_s = reduced.cpu_s * pixels(view.master) / pixels(small);
+    const double view_s = (reduced.cpu_s - reduced.cells_cpu_s) * pixels(view.master) / pixels(small);
     sum[view.condition][view.set] += view_s;
     ++count[view.condition][view.set];
     ++pilot.views;
@@ -157,7 +157,9 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
     const RenderedHalves whole = times == 1 ? reduced : render_halves(plan.recipe, view, view.master, scene);
     pilot.view_bytes = std::max(pilot.view_bytes, bytes_of(whole));
-    full_s += whole.cpu_s;
+    full_s += whole.cpu_s - whole.cells_cpu_s;
+    // The reduced render has computed some of the view's cells already.
+    cells_s += whole.cells_cpu_s + (times == 1 ? 0 : reduced.cells_cpu_s);
     estimated_s += view_s;
     before = process_cpu_s();
     ImageTimes unused;
@@ -179,6 +181,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     pilot.full_size_views += of_size.views;
     pilot.images += of_size.images;
   }
+  pilot.cells_cpu_s = cells_s / pilot.full_size_views;
   pilot.peak_bytes = peak_bytes();
   return pilot;
 }

@@ -27,8 +27,10 @@ struct StartCosts {
 /// Measurements of a few views of a recipe. CPU seconds are those of all threads together.
 struct Pilot {
   int views = 0, full_size_views = 0, images = 0;
-  /// Of one view, by condition and then by set: measured on a smaller render and scaled up by pixel count.
+  /// Of one view, by condition and then by set, without the light cache's cells: measured on a smaller render
+  /// and scaled up by pixel count.
   std::vector<std::vector<double>> render_cpu_s;
+  double cells_cpu_s = 0;              ///< of one view, for the cells of the light cache that it asks for
   double full_size_ratio = 1;          ///< time of full-size renders over that estimated from small ones
   std::vector<ImageCost> image_costs;  ///< by the recipe's sizes
   double city_cpu_s = 0;               ///< to make a scene's file; 0 if the file exists

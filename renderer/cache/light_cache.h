@@ -2,6 +2,7 @@
 
 #include <tbb/concurrent_unordered_map.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,7 @@ struct LightCacheOptions {
 struct LightCacheSummary {
   std::uint64_t cells = 0;  ///< kept
   double memory_gib = 0;
+  double cpu_s = 0;  ///< spent on computing cells
 };
 
 /// Light of a scene in one condition, kept in cells of world space and computed when it is first asked for. A
@@ -58,6 +60,7 @@ class LightCache {
   CellSizes sizes_;
   int max_shaded_vertices_;
   std::size_t max_cells_;
+  std::atomic<std::int64_t> cpu_ns_ = 0;
   tbb::concurrent_unordered_map<Cell, CellLight, Hash> cells_;
 };
 

@@ -67,6 +67,17 @@ TEST_CASE("where conditions agree, the standard error is that of the views") {
   CHECK(bill.core_h_error == Approx(std::sqrt(2 * 20 * 20 * 8 / 2.0) / hour_s));
 }
 
+TEST_CASE("cells of the light cache are counted as if every view computed its own") {
+  Pilot pilot = two_conditions();
+  const Bill traced = bill_of(two_sizes(), counts, pilot, {});
+  CHECK_THAT(to_text(two_sizes(), traced, pilot, {}), !Catch::Contains("cells"));
+  pilot.cells_cpu_s = 18;
+  const Bill cached = bill_of(two_sizes(), counts, pilot, {});
+  CHECK(cached.cells_core_h == Approx(18.0 * static_cast<double>(counts.views) / hour_s));
+  CHECK(cached.core_h == Approx(traced.core_h + cached.cells_core_h));
+  CHECK_THAT(to_text(two_sizes(), cached, pilot, {}), Catch::Contains("cells"));
+}
+
 TEST_CASE("every shard starts for itself, and finish plans once more") {
   const Bill four = bill_of(two_sizes(), counts, two_conditions(), {.shards = 4});
   // Lenses 5 times, scenes and conditions 3 times more among neighbours, scenes and places twice.
