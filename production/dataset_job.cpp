@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "dataset/labels/group_label.h"
+#include "files/pieces.h"
 #include "production/drive_text.h"
 #include "production/load_scene.h"
 #include "production/scene_files.h"
@@ -48,7 +49,7 @@ void prepare(DatasetJob& job, const std::vector<int>& scenes, const fs::path& ro
   for (int s : scenes) wanted.push_back(job.scenes[s]);
   make_scene_files(wanted, root / ".cps");
   job.scene_sha256.resize(job.scenes.size());
-  for (int s : scenes) job.scene_sha256[s] = scene_hash(job.scenes[s]);
+  for (int s : scenes) job.scene_sha256[s] = sha256_of_file(job.scenes[s].file);
   job.text.scenes = scenes_text(job);
   require_same_job(root, job.text);
 }

@@ -46,8 +46,4 @@ Scene load_scene(const PlannedScene& planned, const Recipe& recipe) {
   return scene;
 }
 
-std::string scene_hash(const PlannedScene& scene) {
-  return sha256(read_file(scene.file));
-}
-
 }  // namespace cps

@@ -20,7 +20,4 @@ void make_scene_files(const std::vector<PlannedScene>& scenes, const std::filesy
 /// import_gltf() does.
 Scene load_scene(const PlannedScene& planned, const Recipe& recipe);
 
-/// SHA-256 of the scene's file.
-std::string scene_hash(const PlannedScene& scene);
-
 }  // namespace cps

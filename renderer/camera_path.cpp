@@ -10,13 +10,13 @@ namespace cps {
 namespace {
 
 Path path_along(const PathSource& source, const CameraPixel& pixel, const SobolSample& random,
-                std::uint64_t index, const Eigen::Vector2f& offset_px) {
+                const Eigen::Vector2f& offset_px) {
   const CameraRay ray = camera_ray(source.rays, pixel, offset_px);
   Path path;
   path.random = random;
   path.ray.origin = source.rays.position;
   path.ray.direction = ray.direction;
-  path.ray.id = static_cast<std::uint32_t>(mix64(random.pixel_key + index));
+  path.ray.id = first_ray_id(random);
   path.ray.from_viewer = true;
   path.cone_spread = source.footprint * ray.pixel_angle;
   path.alive = true;
@@ -34,12 +34,11 @@ PathSource make_path_source(const Camera& camera, const RenderOptions& options) 
 
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index) {
   const SobolSample random = make_sobol_sample(source.seed, x, y, static_cast<std::uint32_t>(index));
-  return path_along(source, pixel, random, static_cast<std::uint64_t>(index),
-                    sample_filter(source.filter, random.joint_pair(joint_pixel)));
+  return path_along(source, pixel, random, sample_filter(source.filter, random.joint_pair(joint_pixel)));
 }
 
 Path central_path(const PathSource& source, const CameraPixel& pixel, int x, int y) {
-  return path_along(source, pixel, make_sobol_sample(source.seed, x, y, 0), 0, central_offset_px);
+  return path_along(source, pixel, make_sobol_sample(source.seed, x, y, 0), central_offset_px);
 }
 
 void trace_packet(const RenderScene& scene, const RenderOptions& options, Path (&paths)[packet_size]) {

@@ -55,7 +55,7 @@ LoadedScene load(const RenderRequest& request) {
   if (request.materials == "diffuse") make_diffuse(scene);
   require_memory(request, scene);
   LoadedScene loaded{ideal_camera(request, scene), {}, build_render_scene(scene, request.light.daylight), {}};
-  if (request.light_way == "cached")
+  if (request.light_method == LightMethod::cached)
     loaded.cache =
         std::make_unique<LightCache>(scene, *loaded.ready, request.render.max_shaded_vertices, request.cache);
   for (const Material& material : scene.materials) loaded.material_names.push_back(material.name);

@@ -24,6 +24,12 @@ po::typed_value<T>* with_default(T& target) {
   return po::value(&target)->default_value(target);
 }
 
+LightMethod parsed_light_method(const std::string& word) try {
+  return light_method_from(word);
+} catch (const std::runtime_error& error) {
+  throw po::error("--light " + word + ": " + error.what());
+}
+
 void describe_camera(RenderRequest& request, po::options_description_easy_init add) {
   add("size", optional(request.size)->value_name("WxH"),
       "WIDTHxHEIGHT, pixels [the --lens file's, or 1392x512]");
@@ -50,7 +56,12 @@ void describe_sampling(RenderRequest& request, po::options_description_easy_init
   add("samples", with_default(render.samples), "light paths traced per pixel; more: less noise");
   add("max_shaded_vertices", with_default(render.max_shaded_vertices),
       "surface points at which a path gathers light");
-  add("light", with_default(request.light_way)->value_name("WORD"),
+  add("light",
+      po::value<std::string>()
+          ->value_name("WORD")
+          ->default_value(to_string(request.light_method))
+          ->notifier(
+              [&request](const std::string& word) { request.light_method = parsed_light_method(word); }),
       "traced: follow all light; cached: keep the light of the sky and between surfaces in cells of the scene, "
       "which has little noise and costs less");
   add("cache_memory", with_default(request.cache.memory_gib),
@@ -128,8 +139,6 @@ void finish(RenderRequest& request) {
   if (!(request.memory_gib >= 0)) throw po::error("--memory: must be 0 or more");
   if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64))
     throw po::error("--exposure: must lie in [-64, 64]");
-  if (request.light_way != "traced" && request.light_way != "cached")
-    throw po::error("--light " + request.light_way + ": must be traced or cached");
   if (const std::string fault = request.cache.fault(); !fault.empty()) throw po::error("--" + fault);
   if (request.materials != "all" && request.materials != "diffuse")
     throw po::error("--materials " + request.materials + ": must be all or diffuse");

@@ -8,6 +8,7 @@
 #include "apps/render/light_options.h"
 #include "renderer/cache/light_cache.h"
 #include "renderer/render.h"
+#include "sampler/recipe/light_method.h"
 
 namespace cps {
 
@@ -21,7 +22,8 @@ struct RenderRequest {
   std::optional<std::string> aov, replay;
   std::optional<std::filesystem::path> reference;
   std::optional<double> exposure_ev;
-  std::string filter = "box", materials = "all", light_way = "traced";
+  std::string filter = "box", materials = "all";
+  LightMethod light_method = LightMethod::traced;
   LightCacheOptions cache;
   double memory_gib = 0;  ///< 0: no limit
   RenderOptions render;

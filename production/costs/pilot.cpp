@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "files/files.h"
+#include "files/pieces.h"
 #include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
 #include "production/load_scene.h"
@@ -110,7 +110,7 @@ Plan timed_plan(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
   double load_s = 0, rays_s = 0;
   place_views(plan, all_views(plan), [&](const fs::path& file) {
     const double begin = process_cpu_s();
-    sha256(read_file(file));  // as prepare_scenes() does
+    sha256_of_file(file);  // as prepare_scenes() does
     DrivenScene driven = load_scene(file, drive, watch);
     const double loaded = process_cpu_s();
     const SceneRays rays(driven.scene);  // built again by place_views(), and not a cost of its draws

@@ -1,6 +1,9 @@
 #include "renderer/cache/cell_light.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "renderer/paths/hit_ids.h"
@@ -16,7 +19,6 @@ constexpr int min_points = 8;    ///< found among the first
 constexpr int max_layers = 4;    ///< surfaces of other cells that a ray through a cell may pass
 constexpr float near_cells = 2;  ///< a surface within so many cells is near
 constexpr float max_near_share = 0.05f;
-constexpr float spread_after_diffuse = 0.25f, roughness_after_diffuse = 0.6f;
 
 /// Random pairs that no path uses (random_pairs.h).
 enum CellPair : std::uint32_t { pair_depth = 1u << 20 };
@@ -59,7 +61,7 @@ std::optional<SurfacePoint> find_point(const RenderScene& scene, const Cell& cel
   Ray ray{.origin = inside + way_out(corner, size, inside, facing) * facing,
           .direction = -facing,
           .meets_car = false,
-          .id = static_cast<std::uint32_t>(mix64(random.pixel_key + random.index))};
+          .id = first_ray_id(random)};
   ray.t_far = way_out(corner, size, ray.origin, ray.direction);
   for (int layer = 0; layer < max_layers; ++layer) {
     ++rays;
@@ -97,25 +99,11 @@ Surface white_surface(const SurfacePoint& point) {
   return surface;
 }
 
-/// Sends a path from the surface, as if it had scattered there.
-void leave(Path& path, const Surface& surface, const Vec3& direction, float pdf) {
-  path.ray = surface.leave(direction);
-  path.ray.id = static_cast<std::uint32_t>(mix64(path.random.pixel_key + path.random.index));
-  path.pdf = pdf;
-  path.vertex_position = surface.position;
-  path.vertex_normal = surface.geometric_normal;
-  path.shaded_vertices = path.met_surfaces = 1;
-  path.skips_sun_and_lamps = true;
-  path.cone_spread = spread_after_diffuse;
-  path.min_roughness = roughness_after_diffuse;
-}
-
 /// Sums over the points of a cell.
 struct CellSum {
   int points = 0, near = 0;
   Color radiance = Color::Zero();
   Vec3 towards = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();
   float luminance = 0, squares = 0;
 
   /// Standard error of the mean luminance over the mean, as if points were independent.
@@ -145,7 +133,10 @@ void trace_points(const RenderScene& scene, const Cell& cell, const ShadeVertex&
     const Vec3 local = sample_cosine_hemisphere(path.random.joint_pair(1));
     cosines[i] = local.z();
     directions[i] = surfaces[i].shading.to_world(local);
-    leave(path, surfaces[i], directions[i], local.z() * std::numbers::inv_pi_v<float>);
+    send_from_diffuse(path, surfaces[i], directions[i], local.z() * std::numbers::inv_pi_v<float>);
+    path.ray.id = first_ray_id(path.random);
+    path.skips_sun_and_lamps = true;
+    path.met_surfaces = 1;
   }
   gather_all(scene, sky_rays, false, &VertexRecord::sky, paths);
   Color by_sample[packet_size];
@@ -169,7 +160,6 @@ void trace_points(const RenderScene& scene, const Cell& cell, const ShadeVertex&
     const float brightness = luminance(paths[i].radiance);
     sum.luminance += brightness;
     sum.squares += brightness * brightness;
-    sum.normal += surfaces[i].geometric_normal;
     // Light samples of the sky count for the mean direction, too, each in its own.
     const float drawn = luminance(paths[i].radiance - by_sample[i]) / std::max(cosines[i], 0.1f);
     sum.towards += drawn * directions[i];
@@ -207,9 +197,7 @@ CellLight compute_cell_light(const RenderScene& scene, const Cell& cell, const S
   const auto count = static_cast<float>(sum.points);
   light.radiance = sum.radiance / count;
   light.is_near = static_cast<float>(sum.near) > max_near_share * count;
-  // One that points along the cell's normals where there is no light at all.
-  light.towards =
-      sum.towards.squaredNorm() > 0.0f ? Vec3(sum.towards.normalized()) : Vec3(sum.normal.normalized());
+  light.towards = sum.towards.normalized();
   return light;
 }
 

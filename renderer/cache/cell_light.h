@@ -16,7 +16,7 @@ struct CellLight {
   /// Mean radiance from above the surfaces, weighted by the cosine: a white Lambert surface's.
   Color radiance = Color::Zero();
   /// Mean direction of its luminance, weighted so that a surface whose normal n differs a little from the
-  /// cell's m gets radiance · n·towards / m·towards.
+  /// cell's m gets radiance · n·towards / m·towards. 0 without any light.
   Vec3 towards = Vec3::Zero();
   bool is_known = false;  ///< false: hardly any of the cell's surface was found
   bool is_near = false;   ///< other surfaces stand so close that the light may change within the cell

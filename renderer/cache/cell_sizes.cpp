@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "numbers/segment_distance.h"
 
 namespace cps {
 namespace {
@@ -14,19 +17,12 @@ Eigen::Vector2f level_ground(const Eigen::Vector3f& point) {
   return {point.x(), point.z()};
 }
 
-float distance_to_segment(const Eigen::Vector2f& point, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
-  const Eigen::Vector2f along = b - a;
-  const float length2 = along.squaredNorm();
-  const float t = length2 > 0 ? std::clamp((point - a).dot(along) / length2, 0.0f, 1.0f) : 0.0f;
-  return (point - a - t * along).norm();
-}
-
 float distance_to_lanes(const Eigen::Vector2f& point, const std::vector<Lane>& lanes) {
   float nearest = std::numeric_limits<float>::max();
   for (const Lane& lane : lanes)
     for (std::size_t i = 0; i + 1 < lane.points.size(); ++i)
-      nearest = std::min(nearest, distance_to_segment(point, level_ground(lane.points[i]),
-                                                      level_ground(lane.points[i + 1])));
+      nearest = std::min(nearest, distance_to_segment<float>(level_ground(lane.points[i]),
+                                                             level_ground(lane.points[i + 1]), point));
   return nearest;
 }
 

@@ -22,8 +22,7 @@ struct LightCacheOptions {
 
 struct LightCacheSummary {
   std::uint64_t cells = 0;  ///< kept
-  double memory_gib = 0;
-  double cpu_s = 0;  ///< spent on computing cells
+  double cpu_s = 0;         ///< spent on computing cells
 };
 
 /// Light of a scene in one condition, kept in cells of world space and computed when it is first asked for. A

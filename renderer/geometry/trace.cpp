@@ -17,10 +17,10 @@ static_assert(Hit::no_placement == RTC_INVALID_GEOMETRY_ID);
 static_assert(packet_size == std::extent_v<decltype(RTCRay8::tfar)>);
 
 /// Embree tests a ray against a geometry where their masks share a bit.
-constexpr unsigned viewer_mask = 1, light_mask = 2;
+constexpr unsigned viewer_mask = 1, light_mask = 2, car_mask = 4;
 
 unsigned mask_of(const Ray& ray) {
-  return ray.from_viewer ? viewer_mask : light_mask;
+  return (ray.from_viewer ? viewer_mask : light_mask) | (ray.meets_car ? car_mask : 0);
 }
 
 RTCGeometry make_triangles(RTCDevice device, const Geometry& geometry) {
@@ -44,7 +44,7 @@ RTCGeometry make_instance(RTCDevice device, RTCScene shared, const Placement& pl
   RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(instance, shared);
   set_transform(instance, placement);
-  rtcSetGeometryMask(instance, viewer_mask | light_mask);
+  rtcSetGeometryMask(instance, placement.rides ? car_mask : viewer_mask | light_mask);
   rtcCommitGeometry(instance);
   return instance;
 }
@@ -172,11 +172,11 @@ void Bvh::move_riding(const PlacedGeometry& placed) {
 }
 
 Hit Bvh::intersect(const Ray& ray) const {
-  return nearest(scene.get(), ray.meets_car ? riding.get() : nullptr, ray, nullptr);
+  return nearest(scene.get(), riding.get(), ray, nullptr);
 }
 
 Hit Bvh::intersect_shown(const Ray& ray) const {
-  return nearest(scene.get(), ray.meets_car ? riding.get() : nullptr, ray, filter_backs);
+  return nearest(scene.get(), riding.get(), ray, filter_backs);
 }
 
 void Bvh::intersect_coherent(const Ray (&rays)[packet_size], const bool (&active)[packet_size],
@@ -206,7 +206,7 @@ Color Bvh::transmittance(const Ray& ray) const {
   RTCRay query = to_embree(ray);
   query.id = 0;
   rtcOccluded1(scene.get(), &context.embree, &query);
-  if (riding && ray.meets_car && query.tfar >= 0.0f) rtcOccluded1(riding.get(), &context.embree, &query);
+  if (riding && query.tfar >= 0.0f) rtcOccluded1(riding.get(), &context.embree, &query);
   return query.tfar < 0.0f ? Color(Color::Zero()) : context.transmittance[0];
 }
 

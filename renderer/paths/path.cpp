@@ -54,6 +54,10 @@ void widen(Path& path, float lobe, float min_roughness) {
   path.min_roughness = std::max(path.min_roughness, min_roughness);
 }
 
+void widen_diffusely(Path& path) {
+  widen(path, 1.0f, roughness_after_diffuse);
+}
+
 void widen(Path& path, const Bsdf& bsdf, BsdfSample::Kind kind) {
   switch (kind) {
     case BsdfSample::Kind::layer:
@@ -61,8 +65,18 @@ void widen(Path& path, const Bsdf& bsdf, BsdfSample::Kind kind) {
     case BsdfSample::Kind::coat:
       return widen(path, bsdf.coat.alpha, 0.5f * bsdf.coat.roughness);
     default:
-      return widen(path, 1.0f, roughness_after_diffuse);
+      return widen_diffusely(path);
   }
+}
+
+/// Sends the path from a surface that has scattered it, in a direction drawn with density `pdf`.
+void send_on(Path& path, const Surface& surface, const Vec3& direction, float pdf) {
+  path.ray = surface.leave(direction);
+  path.pdf = pdf;
+  path.skips_sun_and_lamps = false;
+  path.vertex_position = surface.position;
+  path.vertex_normal = surface.geometric_normal;
+  ++path.shaded_vertices;
 }
 
 BsdfSample draw_direction(const Path& path, const Surface& surface) {
@@ -95,13 +109,8 @@ void scatter(Path& path, const Surface& surface) {
 
   // Half-transparent surfaces decide anew about each ray of the path.
   const auto next_id = static_cast<std::uint32_t>(mix64(std::uint64_t{path.ray.id} + 1));
-  path.ray = surface.leave(direction);
+  send_on(path, surface, direction, sample.pdf);
   path.ray.id = next_id;
-  path.pdf = sample.pdf;
-  path.skips_sun_and_lamps = false;
-  path.vertex_position = surface.position;
-  path.vertex_normal = surface.geometric_normal;
-  ++path.shaded_vertices;
   widen(path, surface.bsdf, sample.kind);
 }
 
@@ -200,6 +209,11 @@ bool meet_surface(const RenderScene& scene, int max_shaded_vertices, Path& path,
     return false;
   }
   return true;
+}
+
+void send_from_diffuse(Path& path, const Surface& surface, const Vec3& direction, float pdf) {
+  send_on(path, surface, direction, pdf);
+  widen_diffusely(path);
 }
 
 SunAndSkyRays light_and_scatter(const RenderScene& scene, Path& path, const Surface& surface) {

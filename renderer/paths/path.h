@@ -48,6 +48,11 @@ struct Path {
   }
 };
 
+/// Ray::id of the first ray of a path with these random numbers.
+inline std::uint32_t first_ray_id(const SobolSample& random) {
+  return static_cast<std::uint32_t>(mix64(random.pixel_key + random.index));
+}
+
 /// Traces the paths that are alive to their ends: unidirectional path tracing with next-event estimation of
 /// sun, sky and lamps, multiple importance sampling and Russian roulette (Kajiya 1986; Veach 1997). The
 /// first rays and the first sun rays are traced as packets: fastest if the paths start alike.

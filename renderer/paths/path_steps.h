@@ -24,6 +24,10 @@ void leave_scene(const RenderScene& scene, Path& path);
 bool meet_surface(const RenderScene& scene, int max_shaded_vertices, Path& path, const Hit& hit,
                   Surface& surface);
 
+/// Sends the path from a diffuse surface that has scattered it, in a direction drawn with density `pdf`.
+/// Leaves Ray::id to the caller.
+void send_from_diffuse(Path& path, const Surface& surface, const Vec3& direction, float pdf);
+
 /// Adds the light that lamps send to the surface and sends the path on.
 SunAndSkyRays light_and_scatter(const RenderScene& scene, Path& path, const Surface& surface);
 

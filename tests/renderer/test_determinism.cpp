@@ -1,10 +1,10 @@
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "random/counter_hash.h"
 #include "tests/renderer/handmade.h"
+#include "tests/same_bytes.h"
 
 using namespace cps;
 using namespace cps::handmade;
@@ -57,10 +57,6 @@ OIIO::ImageBuf picture(int threads, const Scene& scene, int samples = 9) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const auto render_scene = build_render_scene(scene, {});
   return render(*render_scene, camera({0, 2.5, 14}, {0, 1, 0}, 70, 45, 75), {.samples = samples, .seed = 3});
-}
-
-bool same_bytes(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
-  return std::memcmp(a.localpixels(), b.localpixels(), a.spec().image_bytes()) == 0;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "numbers/segment_distance.h"
+
 namespace cps::city {
 
 Vec2 miter(const Vec2& direction_in, const Vec2& direction_out) {
@@ -101,12 +103,6 @@ Vec2 centroid(const Polygon& polygon) {
   return std::accumulate(polygon.begin(), polygon.end(), Vec2(0, 0)) / static_cast<double>(polygon.size());
 }
 
-double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const Vec2 ab = b - a;
-  const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
-  return (a + ab * t - p).norm();
-}
-
 }  // namespace
 
 bool overlap(const Polygon& a, const Polygon& b, double slack_m) {
@@ -128,14 +124,14 @@ double distance_to_polygon(const Polygon& polygon, const Vec2& point) {
   if (contains(polygon, point)) return 0;
   double best = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    best = std::min(best, distance_to_segment(polygon[i], polygon[(i + 1) % polygon.size()], point));
+    best = std::min(best, distance_to_segment<double>(polygon[i], polygon[(i + 1) % polygon.size()], point));
   return best;
 }
 
 double distance_to_line(const Polyline& line, const Vec2& point) {
   double best = std::numeric_limits<double>::max();
   for (std::size_t i = 1; i < line.size(); ++i)
-    best = std::min(best, distance_to_segment(line[i - 1], line[i], point));
+    best = std::min(best, distance_to_segment<double>(line[i - 1], line[i], point));
   return best;
 }
 

@@ -15,6 +15,16 @@
 /// double precision.
 namespace cps {
 
+/// Sets pixel i of a row to the kernel of this covariance, as footprints.h keeps it.
+inline void set_kernel(KernelRow& row, int i, const Eigen::Matrix2d& covariance) {
+  const Eigen::Matrix2d conic = covariance.inverse() / (kernel_support * kernel_support);
+  row.conic_xx[i] = float(conic(0, 0));
+  row.conic_xy[i] = float(conic(0, 1));
+  row.conic_yy[i] = float(conic(1, 1));
+  row.half_width[i] = float(kernel_support * std::sqrt(covariance(0, 0)));
+  row.half_height[i] = float(kernel_support * std::sqrt(covariance(1, 1)));
+}
+
 using Channels = std::array<double, 4>;
 
 /// The mean of the image's pixels about `centre`, weighted with the kernel of this covariance.

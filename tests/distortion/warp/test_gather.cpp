@@ -27,15 +27,9 @@ OIIO::ImageBuf random_image(int width, int height, int channels, Stream stream,
 /// A tile of one row with the footprints of a linear map; those of real lenses are linear over their kernel.
 void set_footprint(FootprintTile& tile, int i, const Eigen::Vector2d& centre,
                    const Eigen::Matrix2d& covariance) {
-  KernelRow& row = tile.kernels[0];
-  const Eigen::Matrix2d conic = covariance.inverse() / (kernel_support * kernel_support);
   tile.x[i] = centre.x();
   tile.y[i] = centre.y();
-  row.conic_xx[i] = float(conic(0, 0));
-  row.conic_xy[i] = float(conic(0, 1));
-  row.conic_yy[i] = float(conic(1, 1));
-  row.half_width[i] = float(kernel_support * std::sqrt(covariance(0, 0)));
-  row.half_height[i] = float(kernel_support * std::sqrt(covariance(1, 1)));
+  set_kernel(tile.kernels[0], i, covariance);
 }
 
 }  // namespace

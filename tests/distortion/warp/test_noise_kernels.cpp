@@ -21,15 +21,6 @@ Eigen::Matrix2d random_covariance(Stream stream, double widest, bool circle) {
          turn.toRotationMatrix().transpose();
 }
 
-void set_kernel(KernelRow& row, int i, const Eigen::Matrix2d& covariance) {
-  const Eigen::Matrix2d conic = covariance.inverse() / (kernel_support * kernel_support);
-  row.conic_xx[i] = float(conic(0, 0));
-  row.conic_xy[i] = float(conic(0, 1));
-  row.conic_yy[i] = float(conic(1, 1));
-  row.half_width[i] = float(kernel_support * std::sqrt(covariance(0, 0)));
-  row.half_height[i] = float(kernel_support * std::sqrt(covariance(1, 1)));
-}
-
 }  // namespace
 
 TEST_CASE("straight-line exp and log agree with the library's to the last places") {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "distortion/crop/crop.h"
 #include "distortion/warp/master_camera.h"
@@ -13,6 +12,7 @@
 #include "tests/distortion/barrel.h"
 #include "tests/distortion/random_lens.h"
 #include "tests/distortion/warp/slow_warp.h"
+#include "tests/same_bytes.h"
 
 using namespace cps;
 
@@ -139,8 +139,7 @@ TEST_CASE("a noisy master gives the same bytes for any number of threads") {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     images.push_back(warp(master, b.master, b.lens, b.crop.camera, b.options));
   }
-  for (int i = 1; i < 3; ++i)
-    CHECK(std::memcmp(images[0].localpixels(), images[i].localpixels(), images[0].spec().image_bytes()) == 0);
+  for (int i = 1; i < 3; ++i) CHECK(same_bytes(images[0], images[i]));
 }
 
 TEST_CASE("where no noise can be added, the picture stays as it is") {
@@ -155,7 +154,7 @@ TEST_CASE("where no noise can be added, the picture stays as it is") {
   const NoisyMaster master = join_halves(undistorted.noise(1, 2, make_stream(stream.key, "first")),
                                          undistorted.noise(1, 2, make_stream(stream.key, "second")));
   const auto image = warp(master, camera, {}, close), picture = warp(master.picture, camera, {}, close);
-  CHECK(std::memcmp(image.localpixels(), picture.localpixels(), image.spec().image_bytes()) == 0);
+  CHECK(same_bytes(image, picture));
 }
 
 TEST_CASE("equal halves give the warp of their mean") {

@@ -17,6 +17,7 @@
 #include "tests/distortion/random_lens.h"
 #include "tests/distortion/warp/analytic_scene.h"
 #include "tests/distortion/warp/dense_rays.h"
+#include "tests/same_bytes.h"
 
 using namespace cps;
 
@@ -52,11 +53,6 @@ double psnr(const AnalyticScene& scene, const Pinhole& base, const Distortion& l
       squared += error * error;
     }
   return -10 * std::log10(squared / count);
-}
-
-bool same_bytes(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
-  return a.spec().image_bytes() == b.spec().image_bytes() &&
-         std::memcmp(a.localpixels(), b.localpixels(), a.spec().image_bytes()) == 0;
 }
 
 /// A lens, its crop, and the camera of a master; master() fills one with noise.

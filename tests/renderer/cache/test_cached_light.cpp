@@ -1,11 +1,11 @@
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
-#include <cstring>
 
 #include "renderer/cache/light_cache.h"
 #include "scenes/rig.h"
 #include "tests/renderer/estimates.h"
+#include "tests/same_bytes.h"
 
 using namespace cps;
 using namespace cps::handmade;
@@ -30,10 +30,6 @@ struct Cached {
     return render(lit, view, {.samples = samples, .seed = seed});
   }
 };
-
-bool same_bytes(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {
-  return std::memcmp(a.localpixels(), b.localpixels(), a.spec().image_bytes()) == 0;
-}
 
 /// Largest relative difference of the channels' means.
 double mean_difference(const OIIO::ImageBuf& a, const OIIO::ImageBuf& b) {

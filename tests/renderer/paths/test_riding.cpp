@@ -101,3 +101,37 @@ TEST_CASE("What rides with the car is where the car is put, for all kinds of ray
     CHECK(in_shadow < 4000);
   }
 }
+
+TEST_CASE(
+    "Rays that do not meet the car pass what rides with it and nothing else, one by one and in packets") {
+  const RenderScene riding(floor_and_ball(vehicle_from_ball, true), constant_light(1));
+  const RenderScene still(floor_and_ball(vehicle_from_ball, false), constant_light(1));
+  for (const bool from_viewer : {false, true})
+    for (const RenderScene* scene : {&riding, &still}) {
+      Ray rays[packet_size];
+      bool active[packet_size];
+      for (int lane = 0; lane < packet_size; ++lane) {
+        rays[lane] = {.origin = vehicle_from_ball.translation() + Vec3(0.02f * float(lane), 3, 0),
+                      .direction = Vec3(0.01f, -1, 0.01f).normalized(),
+                      .from_viewer = from_viewer,
+                      .meets_car = lane % 2 == 0};
+        active[lane] = true;
+      }
+      Hit hits[packet_size];
+      scene->bvh.intersect_coherent(rays, active, hits);
+      for (Ray& ray : rays) ray.t_far = 2.9f;  // above the floor, below the ball
+      Color light[packet_size];
+      scene->bvh.transmittance_coherent(rays, active, light);
+      for (int lane = 0; lane < packet_size; ++lane) {
+        const bool passes = scene == &riding && lane % 2 == 1;
+        const float fraction = passes ? 1.0f : 0.0f;
+        CAPTURE(from_viewer, passes, lane);
+        CHECK(hits[lane].placement == (passes ? 0u : 1u));
+        CHECK(light[lane].x() == fraction);
+        CHECK(scene->bvh.transmittance(rays[lane]).x() == fraction);
+        rays[lane].t_far = std::numeric_limits<float>::infinity();
+        CHECK(scene->bvh.intersect(rays[lane]).placement == (passes ? 0u : 1u));
+        CHECK(scene->bvh.intersect_shown(rays[lane]).placement == (passes ? 0u : 1u));
+      }
+    }
+}
