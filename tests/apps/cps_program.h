@@ -1,10 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 namespace cps {
@@ -13,6 +15,11 @@ struct ProgramRun {
   int exit_status = -1;  ///< 128 + signal when killed
   std::string output;    ///< stdout and stderr together
 };
+
+/// The path as one word of the shell.
+inline std::string quoted(const std::filesystem::path& path) {
+  return fmt::format("'{}'", path.string());
+}
 
 /// Runs `cps <arguments>` through the shell.
 inline ProgramRun run_cps(const std::string& arguments) {

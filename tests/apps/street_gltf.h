@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -34,7 +36,7 @@ inline std::filesystem::path write_street_gltf(const std::filesystem::path& fold
                        {"translation", {-170 + 30 * b, 0, z + 12}},
                        {"scale", {14, 5 + (b * 7 + s) % 9, 9}}});
     lanes.push_back(
-        {{"street", "s" + std::to_string(s)}, {"width_m", 3.5}, {"points", {{-150, 0, z}, {150, 0, z}}}});
+        {{"street", fmt::format("s{}", s)}, {"width_m", 3.5}, {"points", {{-150, 0, z}, {150, 0, z}}}});
   }
   Json all_nodes = Json::array();
   for (std::size_t n = 0; n < nodes.size(); ++n) all_nodes.push_back(n);

@@ -94,7 +94,6 @@ TEST_CASE("file names may have spaces and any letters, from the options to the j
   const fs::path folder = temporary.path / "mein Ordner ä";
   fs::create_directories(folder);
   const fs::path scene = write_street_gltf(folder);
-  const auto quoted = [](const fs::path& path) { return "'" + path.string() + "'"; };
   for (const char* name : {"a b.png", "straße 2.exr"}) {
     const ProgramRun run =
         run_cps("render " + quoted(scene) + " --size 16x16 --samples 1 --output " + quoted(folder / name));

@@ -17,10 +17,6 @@ std::string run(const std::string& arguments) {
   return run.output;
 }
 
-std::string quoted(const fs::path& path) {
-  return "'" + path.string() + "'";
-}
-
 }  // namespace
 
 TEST_CASE("names with blanks and letters of any script work in every option that takes one") {
