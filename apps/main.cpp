@@ -34,6 +34,7 @@ const std::vector<Verb>& verbs() {
       verb_of(cps::contact_sheet_manual, cps::cps_contact_sheet),
       verb_of(cps::export_manual, cps::cps_export),
       verb_of(cps::report_manual, cps::cps_report),
+      verb_of(cps::migrate_manual, cps::cps_migrate),
       verb_of(cps::lens_manual(), cps::cps_lens),
       verb_of(cps::distort_manual, cps::cps_distort),
       verb_of(cps::undistort_manual, cps::cps_undistort),

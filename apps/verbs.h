@@ -13,7 +13,8 @@ namespace cps {
 using Arguments = std::vector<std::string>;
 
 extern const Manual city_manual, render_manual, plan_manual, generate_manual, finish_manual, verify_manual,
-    contact_sheet_manual, export_manual, report_manual, distort_manual, undistort_manual, relens_manual;
+    contact_sheet_manual, export_manual, report_manual, migrate_manual, distort_manual, undistort_manual,
+    relens_manual;
 const Manual& lens_manual();  // made when it is first asked for, from those of its verbs
 
 int cps_city(const Arguments& arguments);
@@ -25,6 +26,7 @@ int cps_verify(const Arguments& arguments);
 int cps_contact_sheet(const Arguments& arguments);
 int cps_export(const Arguments& arguments);
 int cps_report(const Arguments& arguments);
+int cps_migrate(const Arguments& arguments);
 int cps_lens(const Arguments& arguments);
 int cps_distort(const Arguments& arguments);
 int cps_undistort(const Arguments& arguments);

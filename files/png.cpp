@@ -23,30 +23,44 @@ void append_chunk(std::string& png, const std::string& type, std::string_view da
   append_number(png, libdeflate_crc32(0, png.data() + begin, png.size() - begin));
 }
 
-std::string header(int width, int height, int channels) {
+bool is_deep(const OIIO::ImageSpec& spec) {
+  return spec.format == OIIO::TypeDesc::UINT16;
+}
+
+std::string header(const OIIO::ImageSpec& spec) {
   std::string data;
-  append_number(data, static_cast<std::uint32_t>(width));
-  append_number(data, static_cast<std::uint32_t>(height));
+  append_number(data, static_cast<std::uint32_t>(spec.width));
+  append_number(data, static_cast<std::uint32_t>(spec.height));
   constexpr char gray = 0, rgb = 2;
-  data += {8, channels == 1 ? gray : rgb, 0, 0, 0};  // bits, colour type, deflate, filters, not interlaced
+  const char bits = is_deep(spec) ? 16 : 8, colour_type = spec.nchannels == 1 ? gray : rgb;
+  data += {bits, colour_type, 0, 0, 0};  // deflate, filters, not interlaced
   return data;
+}
+
+/// The pixels' bytes, 16-bit numbers with the high byte first.
+std::vector<std::uint8_t> samples(const OIIO::ImageBuf& image) {
+  const auto* from = static_cast<const std::uint8_t*>(image.localpixels());
+  std::vector<std::uint8_t> bytes(from, from + image.spec().image_bytes());
+  if (is_deep(image.spec()))
+    for (std::size_t i = 0; i < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
+  return bytes;
 }
 
 /// PNG's filter SUB: each row begins with the filter's number, then every byte minus that of the same channel
 /// in the pixel to the left.
 std::vector<std::uint8_t> filtered_rows(const OIIO::ImageBuf& image) {
-  const int height = image.spec().height, channels = image.spec().nchannels;
-  const std::size_t row_bytes = static_cast<std::size_t>(image.spec().width) * channels;
-  const auto* from = static_cast<const std::uint8_t*>(image.localpixels());
+  const std::vector<std::uint8_t> from = samples(image);
+  const int height = image.spec().height;
+  const std::size_t row_bytes = image.spec().scanline_bytes(), pixel_bytes = image.spec().pixel_bytes();
   std::vector<std::uint8_t> rows((row_bytes + 1) * height);
   for (int y = 0; y < height; ++y) {
-    const std::uint8_t* pixel = from + y * row_bytes;
+    const std::uint8_t* pixel = &from[y * row_bytes];
     std::uint8_t* row = &rows[y * (row_bytes + 1)];
     constexpr std::uint8_t sub = 1;
     *row++ = sub;
-    std::copy(pixel, pixel + channels, row);
-    for (std::size_t i = channels; i < row_bytes; ++i)
-      row[i] = static_cast<std::uint8_t>(pixel[i] - pixel[i - channels]);
+    std::copy(pixel, pixel + pixel_bytes, row);
+    for (std::size_t i = pixel_bytes; i < row_bytes; ++i)
+      row[i] = static_cast<std::uint8_t>(pixel[i] - pixel[i - pixel_bytes]);
   }
   return rows;
 }
@@ -65,11 +79,13 @@ std::string deflated(const std::vector<std::uint8_t>& bytes) {
 
 std::string encode_png(const OIIO::ImageBuf& image) {
   const OIIO::ImageSpec& spec = image.spec();
-  if (spec.format != OIIO::TypeDesc::UINT8 || (spec.nchannels != 1 && spec.nchannels != 3))
-    throw std::runtime_error("PNG encoding failed: needs 8 bits and one or three channels");
+  const bool is_colour = spec.format == OIIO::TypeDesc::UINT8 && (spec.nchannels == 1 || spec.nchannels == 3);
+  if (!is_colour && !(is_deep(spec) && spec.nchannels == 1))
+    throw std::runtime_error(
+        "PNG encoding failed: needs 8 bits and one or three channels, or 16 bits and one channel");
   std::string png = "\x89PNG\r\n\x1a\n";
-  append_chunk(png, "IHDR", header(spec.width, spec.height, spec.nchannels));
-  append_chunk(png, "sRGB", std::string_view("\0", 1));  // perceptual
+  append_chunk(png, "IHDR", header(spec));
+  if (is_colour) append_chunk(png, "sRGB", std::string_view("\0", 1));  // perceptual
   append_chunk(png, "IDAT", deflated(filtered_rows(image)));
   append_chunk(png, "IEND", {});
   return png;

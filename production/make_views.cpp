@@ -9,6 +9,7 @@
 
 #include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
+#include "production/dense_labels.h"
 #include "production/view_images.h"
 #include "production/view_render.h"
 
@@ -24,6 +25,7 @@ std::string name_of(const Plan& plan, const PlannedView& view) {
 struct ViewInFlight {
   std::int64_t view = 0;
   RenderedHalves halves = {};
+  std::vector<std::vector<DenseRecord>> dense = {};  ///< by image
   MadeImages made = {};
 };
 
@@ -52,6 +54,8 @@ class ViewLine {
       attempt([&] {
         view->made = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
         view->halves = {};
+        for (std::size_t i = 0; i < view->dense.size(); ++i)
+          view->made.record.images[i].dense = std::move(view->dense[i]);
       });
       return view;
     };
@@ -68,6 +72,7 @@ class ViewLine {
   MakeViewsSummary summary() const {
     MakeViewsSummary summary = summary_;
     summary.is_interrupted = next_ < views_.size() || was_given_up_;
+    summary.cpu.labels_s = 1e-9 * static_cast<double>(labels_ns_);
     summary.cpu.warp_s = 1e-9 * static_cast<double>(image_times_.warp_ns);
     summary.cpu.develop_s = 1e-9 * static_cast<double>(image_times_.develop_ns);
     summary.cpu.encode_s = 1e-9 * static_cast<double>(image_times_.encode_ns);
@@ -104,6 +109,9 @@ class ViewLine {
       if (must_stop()) throw Interrupted();
     });
     summary_.cpu.render_s += in_flight->halves.cpu_s;
+    // Now, while the scene and the car in it are this view's.
+    in_flight->dense =
+        make_dense_labels(plan_.recipe, view, images_of(plan_, in_flight->view), scene, root_, labels_ns_);
     was_given_up_ = false;
     return in_flight;
   }
@@ -137,6 +145,7 @@ class ViewLine {
   std::size_t next_ = 0;
   bool was_given_up_ = false;
   ConditionScene loaded_;
+  std::atomic<std::int64_t> labels_ns_ = 0;
   ImageTimes image_times_;
   MakeViewsSummary summary_;
   std::mutex failing_;
@@ -149,11 +158,12 @@ class ViewLine {
 std::string MakeViewsSummary::brief() const {
   const auto share = [&](double seconds) { return cpu_s > 0 ? 100 * seconds / cpu_s : 0.0; };
   return fmt::format(
-      "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %, warp {:.1f} %, "
+      "{} views, {} images in {:.1f} s ({:.2f} images/s); {:.1f} CPU-s: render {:.1f} %{}, warp {:.1f} %, "
       "develop {:.1f} %, encode {:.1f} %, write {:.1f} %, scenes and the rest {:.1f} %; {} threads {:.1f} % "
       "busy",
       views, images, wall_s, wall_s > 0 ? static_cast<double>(images) / wall_s : 0.0, cpu_s,
-      share(cpu.render_s), share(cpu.warp_s), share(cpu.develop_s), share(cpu.encode_s), share(cpu.write_s),
+      share(cpu.render_s), cpu.labels_s > 0 ? fmt::format(", labels {:.1f} %", share(cpu.labels_s)) : "",
+      share(cpu.warp_s), share(cpu.develop_s), share(cpu.encode_s), share(cpu.write_s),
       share(cpu_s - cpu.sum_s()), threads, wall_s > 0 ? 100 * cpu_s / (wall_s * threads) : 0.0);
 }
 

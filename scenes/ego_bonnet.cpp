@@ -53,9 +53,11 @@ void add_ego_bonnet(Scene& scene) {
   paint.roughness = 0.2f;
   scene.materials.push_back(paint);
   scene.meshes.push_back(bonnet_mesh(static_cast<int>(scene.materials.size()) - 1));
+  scene.objects.emplace_back("ego vehicle");
   Instance instance;
   instance.mesh = static_cast<int>(scene.meshes.size()) - 1;
   instance.rides = true;
+  instance.object = static_cast<int>(scene.objects.size()) - 1;
   scene.instances.push_back(instance);
 }
 

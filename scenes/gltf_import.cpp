@@ -32,6 +32,7 @@ Scene make_scene(Document& document) {
   if (index != -1) scene.name = document.model.scenes[index].name;
   if (scene.name.empty()) scene.name = document.file.stem().string();
   scene.credits = document.model.asset.copyright;
+  scene.generator = document.model.asset.generator;
   MeshTable meshes{document, scene, {document, scene}};
   std::vector<PlacedNode> nodes = place_nodes(document, index);
   scene.origin = far_origin(document, nodes);

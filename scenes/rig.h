@@ -39,4 +39,9 @@ Eigen::Isometry3d vehicle_from_camera(const RigCamera& camera);
 /// The transform world ← vehicle.
 Eigen::Isometry3d world_from_vehicle(const Place& place);
 
+/// The unit vector of gravity (downwards) in the frame of a camera with this orientation, world ← camera.
+inline Eigen::Vector3d gravity_in_camera(const Eigen::Matrix3d& world_from_camera) {
+  return Eigen::Vector3d::Zero() - world_from_camera.row(1).transpose();  // world y is up; never −0
+}
+
 }  // namespace cps

@@ -98,6 +98,7 @@ struct Instance {
   int mesh = 0;
   Eigen::Affine3f world_from_mesh = Eigen::Affine3f::Identity();
   bool rides = false;  ///< moves with the car: its transform leads to the vehicle frame
+  int object = 0;      ///< index into Scene::objects; a thing of several materials is several instances
 };
 
 /// A stretch of a lane, in metres from its first point.
@@ -136,6 +137,10 @@ struct Scene {
   /// than 10 km from its own, as georeferenced ones are, because floats are coarse there.
   Eigen::Vector3d origin = {0, 0, 0};
   std::vector<std::string> import_warnings = {};  ///< what the importer left out or changed, a line each
+  /// Names of the things placed in the world: a node with a mesh, or each of its repetitions under
+  /// EXT_mesh_gpu_instancing. "" where the file has no name; a scene made by hand may go without.
+  std::vector<std::string> objects = {};
+  std::string generator = {};  ///< the program that wrote the file: asset.generator
 };
 
 }  // namespace cps

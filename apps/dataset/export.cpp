@@ -27,7 +27,7 @@ po::options_description describe(ExportRequest& r) {
   add("dataset", path_value(r.dataset)->value_name("DATASET")->required(),
       "the dataset's folder; its name alone will do, without --dataset");
   add("to", po::value(&r.target)->value_name("TARGET")->required(),
-      "webdataset, huggingface, colmap, nerfstudio or kitti");
+      "webdataset, huggingface, colmap, nerfstudio, kitti or coco");
   add("out,o", path_value(r.output)->value_name("FOLDER")->required(),
       "folder to write: new or empty, or that of the same export");
   add("shard_mb", po::value(&r.options.shard_mb)->default_value(r.options.shard_mb),
@@ -78,8 +78,12 @@ Writes a finished dataset for another program. The targets are webdataset (tars
 of images with their labels as JSON, for each split), huggingface (a folder per
 split with metadata.jsonl, a dataset card and croissant.json), colmap (a text
 model with images for each condition), nerfstudio (transforms.json with images
-for each condition) and kitti (KITTI raw's folders, a calibration and its drives
-for each group).
+for each condition), kitti (KITTI raw's folders, a calibration and its drives
+for each group) and coco (COCO's detection format: boxes and masks of objects).
+
+Dense labels go along to webdataset and huggingface. coco is made of two of
+them, instance and semantic; the dataset's recipe asks for them with the key
+labels.
 
 Images are not encoded anew. Outside of tars they are hard links to those of the
 dataset where the file system allows it: then a change to one changes the other.
@@ -94,7 +98,8 @@ Run the same command again after an interruption, and it goes on.
           "again"}},
     .examples = {{"cps export data --to webdataset -o tars", "makes tars for training"},
                  {"cps export data --to huggingface --license cc-by-4.0 -o hub",
-                  "makes a folder to share on Hugging Face"}},
+                  "makes a folder to share on Hugging Face"},
+                 {"cps export data --to coco -o coco", "makes a folder to train a detector on"}},
     .see_also = {"cps generate", "cps report"},
 };
 

@@ -56,7 +56,7 @@ CalibratedCamera source_camera(const UndistortRequest& request, const std::vecto
   if (!request.rescale) return camera;
   const ImageSize size = first_size(jobs);
   const Pinhole& own = camera.pinhole;
-  const double expected_height = double{size.width} * own.height / own.width;
+  const double expected_height = static_cast<double>(size.width) * own.height / own.width;
   if (std::abs(size.height - expected_height) > 1)
     throw std::runtime_error(fmt::format(
         "{}: --rescale: the calibration is for {} x {}, the pictures are {} x {}: another shape, so cropped "

@@ -1,3 +1,4 @@
+#include "dataset/dense/dense_file.h"
 #include "dataset/export/huggingface.h"
 #include "dataset/export/sample_columns.h"
 
@@ -7,6 +8,7 @@ namespace cps {
 namespace {
 
 using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
 Json context() {
   Json json = {{"@language", "en"},
@@ -47,7 +49,7 @@ std::string images_id(const HuggingFaceSplit& split) {
   return split.part + "-images";
 }
 
-void add_files(Json& distribution, const HuggingFaceSplit& split) {
+void add_files(Json& distribution, const ExportSource& source, const HuggingFaceSplit& split) {
   distribution.push_back({{"@type", "cr:FileObject"},
                           {"@id", split.metadata.name},
                           {"name", split.metadata.name},
@@ -60,6 +62,15 @@ void add_files(Json& distribution, const HuggingFaceSplit& split) {
                           {"name", images_id(split)},
                           {"encodingFormat", mime_type(split.image_ending)},
                           {"includes", split.part + "/**/*" + split.image_ending}});
+  for (DenseLabel label : source.dense_labels) {
+    const std::string id = split.part + "-" + to_string(label), file = dense_file("*", label).string();
+    distribution.push_back({{"@type", "cr:FileSet"},
+                            {"@id", id},
+                            {"name", id},
+                            {"description", dense_meaning(label)},
+                            {"encodingFormat", mime_type(fs::path(file).extension())},
+                            {"includes", "dense/" + split.part + "/**/" + file}});
+  }
 }
 
 /// A field whose values are a column of the split's metadata.jsonl.
@@ -137,7 +148,7 @@ nlohmann::ordered_json croissant(const ExportJob& job, const std::vector<Hugging
   if (!options.published.empty()) json["datePublished"] = options.published;
   Json files = Json::array(), record_sets = Json::array();
   for (const HuggingFaceSplit& split : splits) {
-    add_files(files, split);
+    add_files(files, job.source, split);
     record_sets.push_back(labels_set(split));
     record_sets.push_back(images_set(job.source, split));
   }

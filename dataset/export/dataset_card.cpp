@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "dataset/dense/dense_file.h"
 #include "dataset/export/huggingface.h"
 #include "dataset/export/sample_columns.h"
 
@@ -58,6 +59,22 @@ std::string columns_table(const ExportSource& source) {
   return table;
 }
 
+std::string dense_section(const ExportSource& source) {
+  if (source.dense_labels.empty()) return "";
+  std::string section =
+      "\n## Dense labels\n\nEvery pixel is labelled with what its central ray meets, through the image's "
+      "lens. The files lie under `dense/`, in\nthe folders of their images and with their names.\n\n"
+      "| label | file of the image `train/000017.png` | holds |\n|---|---|---|\n";
+  for (DenseLabel label : source.dense_labels)
+    section += fmt::format("| {} | `{}` | {} |\n", to_string(label),
+                           dense_file("dense/train/000017.png", label).string(), dense_meaning(label));
+  if (source.has(DenseLabel::semantic))
+    section +=
+        "\n`dense/classes.json` names the scene of each `condition`, and what the values of `semantic` mean in "
+        "each scene.\n";
+  return section;
+}
+
 std::string credits_section(const ExportSource& source) {
   if (source.credits.empty()) return "";
   std::string section = "\n## Credits of the scenes\n\n```\n";
@@ -65,6 +82,28 @@ std::string credits_section(const ExportSource& source) {
 }
 
 }  // namespace
+
+const char* dense_meaning(DenseLabel label) {
+  switch (label) {
+    case DenseLabel::depth:
+      return "metres along the optical axis; infinite where nothing is";
+    case DenseLabel::distance:
+      return "metres along the ray; infinite where nothing is";
+    case DenseLabel::normal:
+      return "unit vector X, Y, Z of the surface, camera axes (x right, y down, z forward); 0 where nothing is";
+    case DenseLabel::instance:
+      return "0 where nothing is, otherwise 1 + the number of the object in its scene";
+    case DenseLabel::semantic:
+      return "class";
+    case DenseLabel::rays:
+      return "unit vector X, Y, Z of the ray, camera axes (x right, y down, z forward)";
+    case DenseLabel::up:
+      return "unit vector X, Y in the image (x right, y down) that leads upwards in the world; 0 for a vertical ray";
+    case DenseLabel::latitude:
+      break;
+  }
+  return "degrees of the ray above the horizon";
+}
 
 std::string dataset_description(const ExportSource& source) {
   std::string generator = source.label_of(source.dataset().images.front()).generator;
@@ -96,7 +135,7 @@ data = load_dataset("PATH OF THIS FOLDER")
 print(data["train"][0])
 ```
 )";
-  return card + credits_section(job.source);
+  return card + dense_section(job.source) + credits_section(job.source);
 }
 
 }  // namespace cps

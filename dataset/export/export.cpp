@@ -16,18 +16,33 @@ struct Target {
   ExportTarget target;
   const char* name;
   void (*write)(const ExportJob& job);
-  bool needs_poses;
+  bool needs_poses = false;
+  bool needs_instances = false;  ///< dense labels `instance` and `semantic`
 };
 constexpr std::array targets = {
-    Target{ExportTarget::webdataset, "webdataset", export_webdataset, false},
-    Target{ExportTarget::huggingface, "huggingface", export_huggingface, false},
+    Target{ExportTarget::webdataset, "webdataset", export_webdataset},
+    Target{ExportTarget::huggingface, "huggingface", export_huggingface},
     Target{ExportTarget::colmap, "colmap", export_colmap, true},
     Target{ExportTarget::nerfstudio, "nerfstudio", export_nerfstudio, true},
-    Target{ExportTarget::kitti, "kitti", export_kitti, false},
+    Target{ExportTarget::kitti, "kitti", export_kitti},
+    Target{ExportTarget::coco, "coco", export_coco, false, true},
 };
 
 const Target& row_of(ExportTarget target) {
   return *std::ranges::find(targets, target, &Target::target);
+}
+
+/// Throws std::runtime_error with one line when the dataset lacks what the target is made of.
+void require_contents(const ExportSource& source, const Target& target) {
+  const std::string root = source.dataset().root.string();
+  if (target.needs_poses && !source.has_frames())
+    throw std::runtime_error(root + ": has no frames.csv, so no poses, which --to " + target.name +
+                             " needs: choose another target");
+  for (DenseLabel label : {DenseLabel::instance, DenseLabel::semantic})
+    if (target.needs_instances && !source.has(label))
+      throw std::runtime_error(root + ": has no dense label " + to_string(label) + ", which --to " +
+                               target.name +
+                               " needs: make it with labels = instance, semantic in its recipe");
 }
 
 bool is_identifier(std::string_view text) {
@@ -82,10 +97,7 @@ std::string ExportOptions::fault() const {
 ExportSummary export_dataset(const ExportSource& source, const std::filesystem::path& out,
                              const ExportOptions& options, const ExportProgress& progress) {
   const Target& target = row_of(options.target);
-  if (target.needs_poses && !source.has_frames())
-    throw std::runtime_error(source.dataset().root.string() +
-                             ": has no frames.csv, so no poses, which --to " + target.name +
-                             " needs: choose another target");
+  require_contents(source, target);
   ExportFolder folder(out, source, options);
   ExportSummary summary{.was_finished = folder.is_finished()};
   if (!summary.was_finished) {

@@ -12,7 +12,7 @@
 /// A finished dataset in the layouts that other programs read. docs/formats.md describes each of them.
 namespace cps {
 
-enum class ExportTarget { webdataset, huggingface, colmap, nerfstudio, kitti };
+enum class ExportTarget { webdataset, huggingface, colmap, nerfstudio, kitti, coco };
 
 std::string to_string(ExportTarget target);
 /// Reads what to_string() writes. Throws std::runtime_error that lists the known targets.
@@ -47,7 +47,7 @@ using ExportProgress = std::function<void(std::int64_t more, const std::string& 
 /// the last of them. The same dataset and options give the same bytes.
 ///
 /// Throws std::runtime_error with one line: for a folder with other things in it, a folder inside the
-/// dataset, a target that needs poses where the dataset has none, a damaged image, a full disk. Throws
+/// dataset, a target that needs poses or labels which the dataset lacks, a damaged image, a full disk. Throws
 /// HeldByAnother while another process writes there.
 ExportSummary export_dataset(const ExportSource& source, const std::filesystem::path& out,
                              const ExportOptions& options, const ExportProgress& progress);

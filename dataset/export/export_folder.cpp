@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dataset/dense/dense_file.h"
 #include "dataset/job/job.h"
 #include "dataset/labels/group_label.h"
 #include "files/files.h"
@@ -91,7 +92,17 @@ ExportFolder::ExportFolder(const fs::path& out, const ExportSource& source, cons
 }
 
 void ExportFolder::add_image(const ExportSource& source, const DatasetImage& image, const fs::path& name) {
-  const fs::path from = source.dataset().root / image.file, to = out_ / name;
+  add(source.dataset().root / image.file, name, [&] { return read_image(source, image); });
+}
+
+void ExportFolder::add_dense(const ExportSource& source, const DatasetImage& image, DenseLabel label,
+                             const fs::path& name) {
+  add(source.dataset().root / dense_file(image.file, label), name,
+      [&] { return read_dense_bytes(source, image, label); });
+}
+
+void ExportFolder::add(const fs::path& from, const fs::path& name, const std::function<std::string()>& read) {
+  const fs::path to = out_ / name;
   std::error_code failed;
   const std::uintmax_t bytes = fs::file_size(from, failed);
   if (failed) throw std::runtime_error(from.string() + ": cannot be read: " + failed.message());
@@ -102,7 +113,7 @@ void ExportFolder::add_image(const ExportSource& source, const DatasetImage& ima
     fs::create_hard_link(from, to, failed);
     if (!failed) return;
   }
-  write_file(to, read_image(source, image));
+  write_file(to, read());
 }
 
 ExportedFile ExportFolder::write(const std::string& name,

@@ -36,6 +36,9 @@ class ExportFolder {
   /// Makes `name` a hard link to the image; or a copy where the file system allows no link, or copies are
   /// wanted. Keeps a file that is there.
   void add_image(const ExportSource& source, const DatasetImage& image, const std::filesystem::path& name);
+  /// The same with the file of one of its dense labels.
+  void add_dense(const ExportSource& source, const DatasetImage& image, DenseLabel label,
+                 const std::filesystem::path& name);
 
   /// Writes a file that `produce` appends piece by piece, and hashes it; `samples` is left to the caller.
   ExportedFile write(const std::string& name, const std::function<void(const Append&)>& produce) const;
@@ -49,6 +52,8 @@ class ExportFolder {
   void finish();
 
  private:
+  void add(const std::filesystem::path& from, const std::filesystem::path& name,
+           const std::function<std::string()>& read);
   std::filesystem::path record_of(const std::string& name) const;
 
   std::filesystem::path out_;

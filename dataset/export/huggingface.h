@@ -24,6 +24,9 @@ nlohmann::ordered_json croissant(const ExportJob& job, const std::vector<Hugging
 /// The properties that Croissant 1.1 requires and the options leave out, separated by commas.
 std::string missing_in_croissant(const ExportOptions& options);
 
+/// What the files of a dense label hold: channels and units.
+const char* dense_meaning(DenseLabel label);
+
 /// What the dataset is, in two sentences.
 std::string dataset_description(const ExportSource& source);
 

@@ -71,6 +71,11 @@ constexpr std::array columns = {
     of_frame("camera_qx", number, "orientation", [](auto& f) { return f.camera_rotation.x(); }),
     of_frame("camera_qy", number, "orientation", [](auto& f) { return f.camera_rotation.y(); }),
     of_frame("camera_qz", number, "orientation", [](auto& f) { return f.camera_rotation.z(); }),
+    of_frame("gravity_x", number,
+             "gravity in the camera's frame (x right, y down, z forward), unit vector downwards",
+             [](auto& f) { return f.gravity.x(); }),
+    of_frame("gravity_y", number, "gravity", [](auto& f) { return f.gravity.y(); }),
+    of_frame("gravity_z", number, "gravity", [](auto& f) { return f.gravity.z(); }),
     of_frame("sha256", text, "hash of the image's file", [](auto& f) { return f.sha256; }),
 };
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "dataset/dense/dense_file.h"
 #include "files/files.h"
 #include "files/pieces.h"
 
@@ -39,19 +40,45 @@ std::string credits_of(const DatasetFiles& files) {
   return text;
 }
 
-void check_lists(const DatasetFiles& files) {
+std::vector<DenseLabel> labels_of(const FrameRow& frame) {
+  std::vector<DenseLabel> labels;
+  for (const DenseHash& dense : frame.dense) labels.push_back(dense.label);
+  return labels;
+}
+
+/// Returns the dense labels that all images have.
+std::vector<DenseLabel> check_lists(const DatasetFiles& files) {
+  std::vector<DenseLabel> labels;
   std::unordered_set<std::string_view> listed;
   for (const DatasetImage& image : files.dataset.images) {
     const auto fail = [&](const char* what) { throw std::runtime_error(image.file.string() + ": " + what); };
     if (!listed.insert(image.file.native()).second)
       fail("stands in the split lists twice; cps verify says more");
-    if (files.description && !files.frame_of(image.file)) fail("is not in frames.csv; cps verify says more");
+    if (!files.description) continue;
+    const FrameRow* frame = files.frame_of(image.file);
+    if (!frame) fail("is not in frames.csv; cps verify says more");
+    if (listed.size() == 1) labels = labels_of(*frame);
+    if (labels_of(*frame) != labels)
+      fail("has not the dense labels of other images, as frames.csv says; cps verify says more");
   }
   if (files.dataset.images.empty())
     throw std::runtime_error(files.dataset.root.string() + ": its split lists are empty: nothing to export");
+  return labels;
+}
+
+/// The bytes of a file whose hash frames.csv may tell.
+std::string read_checked(const fs::path& file, const std::optional<std::string>& wanted_sha256) {
+  std::string bytes = read_file(file);
+  if (wanted_sha256 && sha256(bytes) != *wanted_sha256)
+    throw std::runtime_error(file.string() + ": its hash is not that in frames.csv; cps verify says more");
+  return bytes;
 }
 
 }  // namespace
+
+bool ExportSource::has(DenseLabel label) const {
+  return std::ranges::count(dense_labels, label) > 0;
+}
 
 std::span<const DatasetImage> ExportSource::images_of(Part part) const {
   const auto range = std::ranges::equal_range(dataset().images, part, {}, &DatasetImage::part);
@@ -60,9 +87,13 @@ std::span<const DatasetImage> ExportSource::images_of(Part part) const {
 
 ExportSource read_export_source(const fs::path& root) try {
   Faults faults;
-  ExportSource source{.files = read_dataset_files(root, faults), .name = "cps", .credits = {}, .sha256 = {}};
+  ExportSource source{.files = read_dataset_files(root, faults),
+                      .name = "cps",
+                      .credits = {},
+                      .sha256 = {},
+                      .dense_labels = {}};
   if (!faults.empty()) throw std::runtime_error(faults.front());
-  check_lists(source.files);
+  source.dense_labels = check_lists(source.files);
   if (source.files.description) source.name = source.files.description->value("name", source.name);
   source.credits = credits_of(source.files);
   source.sha256 = hash_of_tables(source.files);
@@ -72,11 +103,14 @@ ExportSource read_export_source(const fs::path& root) try {
 }
 
 std::string read_image(const ExportSource& source, const DatasetImage& image) {
-  const fs::path file = source.dataset().root / image.file;
-  std::string bytes = read_file(file);
-  if (source.has_frames() && sha256(bytes) != source.frame_of(image).sha256)
-    throw std::runtime_error(file.string() + ": its hash is not that in frames.csv; cps verify says more");
-  return bytes;
+  std::optional<std::string> wanted;
+  if (source.has_frames()) wanted = source.frame_of(image).sha256;
+  return read_checked(source.dataset().root / image.file, wanted);
+}
+
+std::string read_dense_bytes(const ExportSource& source, const DatasetImage& image, DenseLabel label) {
+  const auto hash = std::ranges::find(source.frame_of(image).dense, label, &DenseHash::label);
+  return read_checked(source.dataset().root / dense_file(image.file, label), hash->sha256);
 }
 
 }  // namespace cps

@@ -22,5 +22,6 @@ void export_huggingface(const ExportJob& job);
 void export_colmap(const ExportJob& job);
 void export_nerfstudio(const ExportJob& job);
 void export_kitti(const ExportJob& job);
+void export_coco(const ExportJob& job);
 
 }  // namespace cps

@@ -31,6 +31,14 @@ Json conditions_json(const Plan& plan) {
   return json;
 }
 
+Json class_json(const SemanticClass& label) {
+  Json json = {{"id", label.id}};
+  if (!label.name.empty()) json["name"] = label.name;
+  if (label.name.empty()) json.update(Json{{"object", label.object}, {"material", label.material}});
+  json["has_instances"] = label.has_instances;
+  return json;
+}
+
 Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
   Json json = Json::array();
   for (std::size_t s = 0; s < plan.scenes.size(); ++s) {
@@ -46,6 +54,7 @@ Json scenes_json(const Plan& plan, const std::vector<std::string>& sha256) {
     entry["credits"] = scene.credits;
     if (!scene.import_warnings.empty()) entry["import_warnings"] = scene.import_warnings;
     if (!scene.origin.isZero()) entry["origin_m"] = {scene.origin.x(), scene.origin.y(), scene.origin.z()};
+    for (const SemanticClass& label : scene.classes) entry["classes"].push_back(class_json(label));
     entry["sha256"] = sha256[s];
     json.push_back(entry);
   }
@@ -69,6 +78,13 @@ Json places_json(const PlaceTally& places) {
   return {{"drawn", places.drawn}, {"rejected", places.rejected()}, {"rejected_for", rejected_for}};
 }
 
+/// Whether the file is there, in the form that is written today.
+bool has_label(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return false;
+  const nlohmann::json json = read_json(file);
+  return schema_of({json, file.string()}) == label_schema;
+}
+
 }  // namespace
 
 bool is_finished(const std::filesystem::path& root) {
@@ -77,7 +93,7 @@ bool is_finished(const std::filesystem::path& root) {
 
 void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group) {
   const std::filesystem::path file = root / group.folder / "calibration.json";
-  if (!std::filesystem::exists(file)) write_json(file, to_json(group_label(plan, group)));
+  if (!has_label(file)) write_json(file, to_json(group_label(plan, group)));
 }
 
 void finish_dataset(const std::filesystem::path& root, const Plan& plan,

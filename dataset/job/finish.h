@@ -9,7 +9,8 @@
 
 namespace cps {
 
-/// Writes the group's calibration.json unless it exists; an existing one is complete and of the same job.
+/// Writes the group's calibration.json unless it exists; an existing one is complete and of the same job. One
+/// that an older program wrote is replaced by today's.
 void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group);
 
 /// Writes the files that describe the whole dataset: labels of groups without views, frames.csv in every leaf

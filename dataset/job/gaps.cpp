@@ -26,7 +26,11 @@ std::string line_of(const Plan& plan, const std::vector<std::int64_t>& missing, 
 bool is_made(const std::filesystem::path& dataset, const Plan& plan, std::int64_t view,
              const std::map<std::int64_t, ViewRecord>& records) {
   const auto record = records.find(view);
+  const auto has_labels = [&](const ImageRecord& image) {
+    return image.dense.size() == plan.recipe.labels.size();
+  };
   return record != records.end() && record->second.images.size() == plan.views[view].groups.size() &&
+         std::ranges::all_of(record->second.images, has_labels) &&
          record->second.master.has_value() == plan.recipe.keep_masters &&
          has_its_images(dataset, record->second);
 }

@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "dataset/dense/dense_file.h"
 #include "dataset/job/shard_files.h"
 #include "files/files.h"
 
@@ -92,13 +94,21 @@ fs::path folder_lock(const fs::path& dataset) {
 }
 
 bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
-  const auto is_there = [&](const auto& made) {
+  const auto is_there = [&](const fs::path& file, std::uint64_t bytes) {
     std::error_code missing;
-    const std::uintmax_t bytes = fs::file_size(dataset / made.file, missing);
-    return !missing && bytes == made.bytes;
+    const std::uintmax_t found = fs::file_size(dataset / file, missing);
+    return !missing && found == bytes;
   };
-  return std::all_of(record.images.begin(), record.images.end(), is_there) &&
-         (!record.master || is_there(*record.master));
+  const auto has_labels = [&](const ImageRecord& image) {
+    return std::ranges::all_of(image.dense, [&](const DenseRecord& dense) {
+      return is_there(dense_file(image.file, dense.label), dense.bytes);
+    });
+  };
+  return std::ranges::all_of(record.images,
+                             [&](const ImageRecord& image) {
+                               return is_there(image.file, image.bytes) && has_labels(image);
+                             }) &&
+         (!record.master || is_there(record.master->file, record.master->bytes));
 }
 
 Journal::Journal(const fs::path& dataset, const Shard& shard)

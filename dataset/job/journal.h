@@ -39,8 +39,9 @@ std::vector<JournalTally> tally_journals(const std::filesystem::path& dataset);
 /// dataset holds it exclusively.
 std::filesystem::path folder_lock(const std::filesystem::path& dataset);
 
-/// Whether all images of a view exist, and its master if it was kept, each with the length it was written
-/// with. Only lengths are compared, as a crash may cut a file short; `cps verify` finds other damage.
+/// Whether all images of a view exist, with their dense labels, and its master if it was kept, each with the
+/// length it was written with. Only lengths are compared, as a crash may cut a file short; `cps verify` finds
+/// other damage.
 bool has_its_images(const std::filesystem::path& dataset, const ViewRecord& record);
 
 /// The journal of one shard, open for writing in one process.

@@ -17,11 +17,18 @@ namespace fs = std::filesystem;
 const char* const kind = "times";
 
 nlohmann::ordered_json to_json(const RunTimes& times) {
-  return {
-      {"views", times.views},           {"images", times.images},      {"interrupted", times.is_interrupted},
-      {"threads", times.threads},       {"wall_s", times.wall_s},      {"cpu_s", times.cpu_s},
-      {"render_s", times.cpu.render_s}, {"warp_s", times.cpu.warp_s},  {"develop_s", times.cpu.develop_s},
-      {"encode_s", times.cpu.encode_s}, {"write_s", times.cpu.write_s}};
+  return {{"views", times.views},
+          {"images", times.images},
+          {"interrupted", times.is_interrupted},
+          {"threads", times.threads},
+          {"wall_s", times.wall_s},
+          {"cpu_s", times.cpu_s},
+          {"render_s", times.cpu.render_s},
+          {"labels_s", times.cpu.labels_s},
+          {"warp_s", times.cpu.warp_s},
+          {"develop_s", times.cpu.develop_s},
+          {"encode_s", times.cpu.encode_s},
+          {"write_s", times.cpu.write_s}};
 }
 
 RunTimes run_times(const std::string& line, const std::string& file) {
@@ -39,6 +46,7 @@ RunTimes run_times(const std::string& line, const std::string& file) {
           .wall_s = keys.number("wall_s"),
           .cpu_s = keys.number("cpu_s"),
           .cpu = {.render_s = keys.number("render_s"),
+                  .labels_s = json.contains("labels_s") ? keys.number("labels_s") : 0,
                   .warp_s = keys.number("warp_s"),
                   .develop_s = keys.number("develop_s"),
                   .encode_s = keys.number("encode_s"),

@@ -12,8 +12,10 @@ namespace cps {
 
 /// CPU seconds of each stage, all threads together.
 struct StageTimes {
-  double render_s = 0, warp_s = 0, develop_s = 0, encode_s = 0, write_s = 0;
-  double sum_s() const { return render_s + warp_s + develop_s + encode_s + write_s; }
+  double render_s = 0;
+  double labels_s = 0;  ///< dense labels: their rays, encoding and writing
+  double warp_s = 0, develop_s = 0, encode_s = 0, write_s = 0;
+  double sum_s() const { return render_s + labels_s + warp_s + develop_s + encode_s + write_s; }
 };
 
 /// One run: what it made and the time it took.

@@ -6,18 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "sampler/recipe/dense_label.h"
 #include "sensor/sensor.h"
 
 /// Facts about the images that are measured or drawn while they are made, so the plan does not hold them. The
 /// journal keeps them until the dataset is finished.
 namespace cps {
 
+/// The file of one dense label; dense_file() names it.
+struct DenseRecord {
+  DenseLabel label = DenseLabel::depth;
+  std::uint64_t bytes = 0;  ///< of the file
+  std::string sha256;       ///< of the file
+};
+
 struct ImageRecord {
   std::string file;  ///< relative to the dataset
   SensorSettings sensor;
-  std::uint64_t bytes = 0;    ///< of the file
-  std::string sha256;         ///< of the file
-  std::string pixels_sha256;  ///< of the decoded pixels, rows from the top
+  std::uint64_t bytes = 0;              ///< of the file
+  std::string sha256;                   ///< of the file
+  std::string pixels_sha256;            ///< of the decoded pixels, rows from the top
+  std::vector<DenseRecord> dense = {};  ///< those of Recipe::labels, in their order
 };
 
 struct MasterRecord {
@@ -26,7 +35,7 @@ struct MasterRecord {
   std::string sha256;       ///< of the file
 };
 
-/// A view whose images, and kept master, are all written.
+/// A view whose images, with their dense labels, and kept master are all written.
 struct ViewRecord {
   std::int64_t view = 0;  ///< index into Plan::views
   double exposure = 1;    ///< metered on the master: linear radiance → share of white

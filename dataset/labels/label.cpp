@@ -6,11 +6,12 @@
 #include "dataset/exchange/camera_json.h"
 #include "files/json_keys.h"
 #include "numbers/angles.h"
+#include "scenes/rig.h"
 
 namespace cps {
 namespace {
 
-/// Relative. K and fov are written with full precision, so they agree far better than this.
+/// Relative. All numbers are written with full precision, so they agree far better than this.
 constexpr double agreement = 1e-6;
 
 /// Numbers that are written twice must agree.
@@ -25,19 +26,36 @@ void check_camera(const Pinhole& camera, const JsonKeys& reader) {
     reader.fail("cy", "contradicts K[1][2]");
 }
 
+void check_gravity(const Label& label, const JsonKeys& reader) {
+  const std::vector<double> written = reader.numbers("gravity", 3);
+  if (!((Eigen::Vector3d::Map(written.data()) - nominal_gravity(label)).norm() <= agreement))
+    reader.fail("gravity", "contradicts T_vehicle_camera, whose third row begins with its opposite");
+}
+
 }  // namespace
 
 Pinhole base_of(const Label& label) {
   return pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
 }
 
-nlohmann::ordered_json to_json(const Label& label) {
+Eigen::Vector3d nominal_gravity(const Label& label) {
+  return gravity_in_camera((world_from_vehicle(Place{}) * label.vehicle_from_camera).linear());
+}
+
+int schema_of(const JsonKeys& keys) {
+  const double schema = keys.number("schema");
+  if (schema != 1 && schema != 2)
+    keys.fail("schema", "is neither 1 nor 2; use the version of cps that wrote it");
+  return static_cast<int>(schema);
+}
+
+nlohmann::ordered_json to_json(const Label& label, int schema) {
   nlohmann::ordered_json limits;
   for (std::size_t i = 0; i < lens_keys.size(); ++i) {
     limits[lens_keys[i]] = nullptr;
     if (label.limits[i]) limits[lens_keys[i]] = {label.limits[i]->low, label.limits[i]->high};
   }
-  nlohmann::ordered_json json = {{"schema", label_schema}};
+  nlohmann::ordered_json json = {{"schema", schema}};
   json.update(camera_json(label.camera, label.distortion));
   json.update(nlohmann::ordered_json{
       {"fov_base_deg", label.fov_base_deg},
@@ -49,18 +67,18 @@ nlohmann::ordered_json to_json(const Label& label) {
         {"max_roundtrip_px", label.certificate_max_roundtrip_px}}},
       {"limits", limits},
       {"camera",
-       {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera.matrix())}}},
-      {"part", to_string(label.part)},
-      {"seed", label.seed},
-      {"generator", label.generator}});
+       {{"name", label.rig_camera}, {"T_vehicle_camera", rows_json(label.vehicle_from_camera.matrix())}}}});
+  const Eigen::Vector3d gravity = nominal_gravity(label);
+  if (schema >= 2) json["gravity"] = {gravity.x(), gravity.y(), gravity.z()};
+  json["part"] = to_string(label.part);
+  json["seed"] = label.seed;
+  json["generator"] = label.generator;
   return json;
 }
 
 Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys reader{json, file};
-  if (reader.number("schema") != label_schema)
-    reader.fail("schema",
-                "is not " + std::to_string(label_schema) + "; use the version of cps that wrote it");
+  const int schema = schema_of(reader);
   Label label;
   const CalibratedCamera calibrated = camera_from_json(reader);
   check_camera(calibrated.pinhole, reader);
@@ -84,6 +102,7 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys camera = reader.object("camera");
   label.rig_camera = camera.text("name");
   label.vehicle_from_camera.matrix() = camera.matrix("T_vehicle_camera", 4, 4);
+  if (schema >= 2) check_gravity(label, reader);
   try {
     label.part = part_from_string(reader.text("part"));
   } catch (const std::runtime_error& error) {

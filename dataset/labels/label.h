@@ -8,6 +8,7 @@
 
 #include "distortion/brown_conrady.h"
 #include "distortion/pinhole.h"
+#include "files/json_keys.h"
 #include "numbers/interval.h"
 #include "sampler/part.h"
 
@@ -37,16 +38,25 @@ struct Label {
 /// certified on its frame.
 Pinhole base_of(const Label& label);
 
-/// Written as `schema`. A file with another number is refused.
-inline constexpr int label_schema = 1;
+/// Unit vector of gravity (downwards) in the camera frame, for the rig camera's nominal pose on level ground.
+Eigen::Vector3d nominal_gravity(const Label& label);
+
+/// The form that calibration.json, frames.csv and dataset.json are written in; `schema` in both JSON files.
+/// Schema 1 is the same without gravity.
+inline constexpr int label_schema = 2;
+
+/// The file's schema. Throws as JsonKeys does for a number that is neither 1 nor 2.
+int schema_of(const JsonKeys& keys);
 
 /// The keys of these seven numbers, both in the label and in its `limits`.
 inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1", "p2", "cx", "cy"};
 
-nlohmann::ordered_json to_json(const Label& label);
+/// `schema`: 1 gives what older programs wrote.
+nlohmann::ordered_json to_json(const Label& label, int schema = label_schema);
 
 /// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of
-/// the wrong type, or contradicts another (K against fov, cx, cy).
+/// the wrong type, or contradicts another (K against fov, cx, cy; gravity against T_vehicle_camera). Reads
+/// all schemas.
 Label label_from_json(const nlohmann::json& json, const std::string& file);
 
 }  // namespace cps

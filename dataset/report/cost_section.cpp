@@ -26,6 +26,7 @@ std::string stages(const RunTimes& sum) {
     rows.push_back({stage, hours(seconds), fmt::format("{:.1f} %", share)});
   };
   add("render", sum.cpu.render_s);
+  if (sum.cpu.labels_s > 0) add("dense labels", sum.cpu.labels_s);
   add("warp", sum.cpu.warp_s);
   add("develop", sum.cpu.develop_s);
   add("encode", sum.cpu.encode_s);
@@ -45,6 +46,7 @@ std::string ledger(const std::filesystem::path& root) {
     sum.cpu_s += times.cpu_s;
     sum.wall_s += times.wall_s;
     sum.cpu.render_s += times.cpu.render_s;
+    sum.cpu.labels_s += times.cpu.labels_s;
     sum.cpu.warp_s += times.cpu.warp_s;
     sum.cpu.develop_s += times.cpu.develop_s;
     sum.cpu.encode_s += times.cpu.encode_s;

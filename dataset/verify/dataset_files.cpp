@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "dataset/dense/dense_file.h"
 #include "dataset/job/finish.h"
 #include "dataset/job/job.h"
 #include "files/files.h"
@@ -73,7 +74,9 @@ DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
     if (files.description) read_frames(files, g, faults);
     const fs::path& folder = files.dataset.groups[g].folder;
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
-      if (is_image(entry.path())) files.images.insert((folder / entry.path().filename()).string());
+      if (is_image(entry.path()))
+        (is_dense_file(entry.path()) ? files.dense : files.images)
+            .insert((folder / entry.path().filename()).string());
   }
   return files;
 }

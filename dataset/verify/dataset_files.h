@@ -24,6 +24,7 @@ struct DatasetFiles {
   std::map<std::string, FrameRow> frames = {};  ///< by image, relative to the dataset
   std::set<std::size_t> unreadable = {};        ///< groups whose frames.csv cannot be read
   std::set<std::string> images = {};            ///< files in the leaf folders, relative to the dataset
+  std::set<std::string> dense = {};             ///< likewise, those of dense labels
 
   /// The image's line of frames.csv; null when there is none.
   const FrameRow* frame_of(const std::filesystem::path& image) const;

@@ -12,7 +12,7 @@
 namespace cps {
 namespace {
 
-/// Rounding of poses kilometres from the origin, in metres and radians; of a quaternion's length.
+/// Rounding of poses kilometres from the origin, in metres and radians; of a quaternion's length; of gravity.
 constexpr double rounding = 1e-6;
 
 /// Empty when nothing is wrong.
@@ -22,6 +22,8 @@ std::string pose_fault(const FrameRow& frame, const Label& label, const Recipe& 
   const double max_angle_rad = deviations * std::numbers::sqrt3 * radians(recipe.mount_error_deg) + rounding,
                max_offset_m = deviations * recipe.mount_error_m + rounding;
   if (std::abs(frame.camera_rotation.norm() - 1) > rounding) return "camera_qw…qz: is no unit quaternion";
+  if (!((frame.gravity - gravity_by_pose(frame)).norm() <= rounding))
+    return "gravity_x…z: contradicts camera_qw…qz";
   const Eigen::Isometry3d meant = world_from_vehicle(frame.vehicle) * label.vehicle_from_camera,
                           error = meant.inverse() * world_from_camera(frame);
   const double angle_rad = Eigen::AngleAxisd(error.linear()).angle(), offset_m = error.translation().norm();

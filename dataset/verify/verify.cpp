@@ -7,6 +7,7 @@
 
 #include "dataset/labels/label_check.h"
 #include "dataset/verify/dataset_files.h"
+#include "dataset/verify/dense_check.h"
 #include "dataset/verify/list_check.h"
 #include "dataset/verify/pixel_check.h"
 #include "dataset/verify/pose_check.h"
@@ -30,10 +31,11 @@ void check_labels(const Dataset& dataset, VerifySummary& summary) {
 
 std::string VerifySummary::brief() const {
   return fmt::format(
-      "{} groups, {} images{}, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px "
+      "{} groups, {} images{}{}, {} faults; worst round trip {:.1e} px, master's rim at least {:.1e} px "
       "outside{}",
-      groups, images, masters > 0 ? fmt::format(", {} masters", masters) : "", faults.size(),
-      max_roundtrip_px, min_rim_margin_px,
+      groups, images, dense > 0 ? fmt::format(", {} dense labels", dense) : "",
+      masters > 0 ? fmt::format(", {} masters", masters) : "", faults.size(), max_roundtrip_px,
+      min_rim_margin_px,
       has_record ? "" : "; no dataset.json and frames.csv: poses and hashes of files not checked");
 }
 
@@ -46,6 +48,7 @@ VerifySummary verify_dataset(const std::filesystem::path& root) {
   check_labels(files.dataset, summary);
   check_lists(files, summary.faults);
   check_images(files, summary.faults);
+  summary.dense = check_dense(files, summary.faults);
   summary.masters = check_masters(files, summary.faults);
   check_streets(files, summary.faults);
   check_poses(files, summary.faults);

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "dataset/job/frames.h"
@@ -17,9 +18,9 @@ std::string differing_columns(const CsvTable& planned, std::size_t planned_row, 
                               std::size_t written_row) {
   std::string names;
   for (const FrameColumn& column : frame_columns()) {
-    if (!column.is_planned) continue;
-    if (planned.at(planned_row, planned.column(column.name)).text() !=
-        written.at(written_row, written.column(column.name)).text())
+    const std::optional<std::size_t> place = find_column(written, column);
+    if (!column.is_planned || !place) continue;
+    if (planned.at(planned_row, planned.column(column.name)).text() != written.at(written_row, *place).text())
       names += (names.empty() ? "" : ", ") + std::string(column.name);
   }
   return names;
@@ -45,12 +46,20 @@ std::vector<std::string> frames_faults(const CsvTable& planned, const CsvTable& 
   return faults;
 }
 
+/// Whether the file holds the label, in the form of any schema.
+bool is_label(const std::filesystem::path& file, const Label& label) {
+  const std::string text = read_file(file);
+  for (int schema = 1; schema <= label_schema; ++schema)
+    if (text == to_json(label, schema).dump(2) + "\n") return true;
+  return false;
+}
+
 std::vector<std::string> group_faults(const std::filesystem::path& root, const Plan& plan, int g,
                                       const std::vector<const PlannedView*>& views) try {
   const PlannedGroup& group = plan.groups[g];
   std::vector<std::string> faults;
   const std::string label = (std::filesystem::path(group.folder) / "calibration.json").string();
-  if (read_file(root / label) != to_json(group_label(plan, group)).dump(2) + "\n")
+  if (!is_label(root / label, group_label(plan, group)))
     faults.push_back(label + ": is not what the recipe gives");
   const ViewRecord record;
   std::vector<ImageRecord> images;

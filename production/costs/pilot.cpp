@@ -11,6 +11,7 @@
 #include "files/pieces.h"
 #include "numbers/cpu_time.h"
 #include "production/condition_scene.h"
+#include "production/dense_labels.h"
 #include "production/load_scene.h"
 #include "production/scene_files.h"
 #include "production/view_images.h"
@@ -163,8 +164,13 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     estimated_s += view_s;
     before = process_cpu_s();
     ImageTimes unused;
+    std::atomic<std::int64_t> unused_labels_ns = 0;
     const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused).record;
+    const auto dense =
+        make_dense_labels(plan.recipe, view, images_of(plan, v), scene, scratch.path, unused_labels_ns);
     of_size.cpu_s += process_cpu_s() - before;
+    for (const auto& of_image : dense)
+      for (const DenseRecord& label : of_image) of_size.bytes += static_cast<double>(label.bytes);
     for (const ImageRecord& image : made.images) of_size.bytes += static_cast<double>(image.bytes);
     if (made.master) of_size.bytes += static_cast<double>(made.master->bytes);
     of_size.images += static_cast<int>(made.images.size());

@@ -12,8 +12,8 @@ namespace cps {
 
 /// What an image costs after the render, by the image's size.
 struct ImageCost {
-  double cpu_s = 0;  ///< to warp, develop and encode it
-  double bytes = 0;  ///< of the file
+  double cpu_s = 0;  ///< to warp, develop and encode it, and its dense labels
+  double bytes = 0;  ///< of its files
 };
 
 /// What a process of cps generate spends before it renders, in CPU seconds.

@@ -1,6 +1,10 @@
 #include "sampler/plan/place_views.h"
 
+#include <algorithm>
 #include <map>
+
+#include "scenes/ego_bonnet.h"
+#include "scenes/semantic_classes.h"
 
 namespace cps {
 namespace {
@@ -28,16 +32,25 @@ std::vector<LaneStratum> strata_of_views(const Plan& plan) {
   return strata;
 }
 
+/// The classes of what is rendered: the bonnet is no part of the scene's file.
+std::vector<SemanticClass> classes_of(Scene scene, const Recipe& recipe) {
+  if (recipe.ego_bonnet) add_ego_bonnet(scene);
+  return semantic_classes(scene).classes;
+}
+
 DrivableScene load_drivable(Plan& plan, int s, const LoadDrivenScene& load) {
   PlannedScene& planned = plan.scenes[s];
-  const DrivenScene driven = load(planned.file);
+  DrivenScene driven = load(planned.file);
   planned.metres_per_unit = driven.metres_per_unit;
   planned.is_z_up = driven.is_z_up;
   planned.credits = driven.scene.credits;
   planned.import_warnings = driven.scene.import_warnings;
   planned.origin = driven.scene.origin;
-  return drivable_scene(driven.scene, planned.file.string(), plan.recipe,
-                        streets_stream(plan.recipe, plan.scenes, s));
+  DrivableScene drivable = drivable_scene(driven.scene, planned.file.string(), plan.recipe,
+                                          streets_stream(plan.recipe, plan.scenes, s));
+  if (std::ranges::count(plan.recipe.labels, DenseLabel::semantic) > 0)
+    planned.classes = classes_of(std::move(driven.scene), plan.recipe);
+  return drivable;
 }
 
 }  // namespace

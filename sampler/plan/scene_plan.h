@@ -8,6 +8,7 @@
 #include "random/counter_hash.h"
 #include "sampler/recipe/recipe.h"
 #include "scenes/city/city.h"
+#include "scenes/semantic_classes.h"
 
 namespace cps {
 
@@ -21,6 +22,8 @@ struct PlannedScene {
   std::string credits = {};                       ///< as the file states them; set when the scene is loaded
   std::vector<std::string> import_warnings = {};  ///< set when the scene is loaded
   Eigen::Vector3d origin = {0, 0, 0};             ///< Scene::origin, metres; set when the scene is loaded
+  /// Of its semantic labels; set when the scene is loaded, if the recipe asks for such labels.
+  std::vector<SemanticClass> classes = {};
 };
 
 /// Lists the recipe's scenes: its files, then its procedural cities as files in `city_folder`, those of

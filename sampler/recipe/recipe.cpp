@@ -94,6 +94,8 @@ std::string Recipe::fault() const {
        "samples: must be even, in [2, 65536]: a master is rendered in two halves"},
       {is_between(max_shaded_vertices, 1, 64), "max_shaded_vertices: must lie in [1, 64]"},
       {is_between(jpeg_quality, 1, 100), "jpeg_quality: must lie in [1, 100]"},
+      {std::ranges::adjacent_find(labels, std::greater_equal{}) == labels.end(),
+       "labels: name each once, in the order in which cps help generate lists them"},
   };
   for (const Check& check : checks)
     if (!check.holds) return check.reason;

@@ -10,6 +10,7 @@
 #include "distortion/image_size.h"
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/light_draw.h"
+#include "sampler/recipe/dense_label.h"
 #include "sampler/recipe/image_format.h"
 #include "sampler/recipe/light_method.h"
 #include "sampler/recipe/per_size.h"
@@ -74,7 +75,8 @@ struct Recipe {
   // Files.
   ImageFormat image_format = ImageFormat::png;
   int jpeg_quality = 95;
-  bool keep_masters = false;  ///< write every view's master, so that training can draw lenses of its own
+  bool keep_masters = false;       ///< write every view's master, so that training can draw lenses of its own
+  std::vector<DenseLabel> labels;  ///< written for every image; in the enum's order, each once
 
   CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 

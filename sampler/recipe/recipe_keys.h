@@ -106,6 +106,9 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("jpeg_quality", r.jpeg_quality, "quality of jpeg images, 1 to 100; colours are not subsampled");
   visit("keep_masters", r.keep_masters,
         "true: keep every view's undistorted render as well, for cps train --online-lenses");
+  visit("labels", r.labels,
+        "dense labels to write beside every image, each through its lens: depth, distance, normal, instance, "
+        "semantic, rays, up, latitude; any of them");
 }
 
 }  // namespace cps

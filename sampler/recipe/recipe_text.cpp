@@ -70,6 +70,7 @@ Recipe recipe_from(const po::variables_map& values) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(std::string("recipe: ") + error.what());
   }
+  std::ranges::sort(recipe.labels);
   if (const std::string fault = recipe.fault(); !fault.empty()) throw std::runtime_error("recipe: " + fault);
   require_lenses(recipe);
   if (values.count("scale") > 0) recipe = scaled_recipe(recipe, values["scale"].as<double>());

@@ -49,6 +49,10 @@ inline void parse_value(std::string_view text, LightMethod& value) {
   value = light_method_from(std::string(text));
 }
 
+inline void parse_value(std::string_view text, DenseLabel& value) {
+  value = dense_label_from(std::string(text));
+}
+
 inline void parse_value(std::string_view text, CityStyle& value) {
   value = city_style_from(std::string(text));
 }
@@ -103,6 +107,10 @@ inline std::string value_text(ImageFormat format) {
 
 inline std::string value_text(LightMethod method) {
   return to_string(method);
+}
+
+inline std::string value_text(DenseLabel label) {
+  return to_string(label);
 }
 
 inline std::string value_text(CityStyle style) {

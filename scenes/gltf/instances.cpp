@@ -56,22 +56,33 @@ std::vector<Eigen::Affine3d> repetitions(Document& document, const tinygltf::Nod
   return transforms;
 }
 
+/// Places the parts of one mesh in the world as one object; none if there are no parts.
+void add_object(MeshTable& meshes, const std::string& name, const std::vector<int>& parts,
+                const Eigen::Affine3f& world_from_mesh, const std::string& where) {
+  if (parts.empty()) return;
+  Scene& scene = meshes.scene;
+  reserve_memory(meshes.document, where, 1, sizeof(std::string) + name.size());
+  const int object = static_cast<int>(scene.objects.size());
+  scene.objects.push_back(name);
+  for (const int mesh : parts)
+    scene.instances.push_back({.mesh = mesh, .world_from_mesh = world_from_mesh, .object = object});
+}
+
 /// Adds meshes whose transform has no inverse, each moved into the world.
-void add_flattened(MeshTable& meshes, const std::vector<int>& parts, const Eigen::Affine3f& world_from_mesh,
-                   const std::string& where) {
-  bool is_drawn = false;
+void add_flattened(MeshTable& meshes, const std::string& name, const std::vector<int>& parts,
+                   const Eigen::Affine3f& world_from_mesh, const std::string& where) {
+  std::vector<int> drawn;
   for (const int part : parts) {
     const Mesh& mesh = meshes.scene.meshes[part];
     reserve_memory(meshes.document, where, mesh.positions.size() + mesh.triangles.size(),
                    sizeof(Eigen::Vector4f));
     Mesh flat = flattened(mesh, world_from_mesh);
     if (flat.triangles.empty()) continue;
-    is_drawn = true;
+    drawn.push_back(static_cast<int>(meshes.scene.meshes.size()));
     meshes.scene.meshes.push_back(std::move(flat));
-    meshes.scene.instances.push_back(
-        {static_cast<int>(meshes.scene.meshes.size()) - 1, Eigen::Affine3f::Identity()});
   }
-  if (!is_drawn) warn(meshes.document, where + ": its scale is 0 along two axes, not drawn");
+  if (drawn.empty()) warn(meshes.document, where + ": its scale is 0 along two axes, not drawn");
+  add_object(meshes, name, drawn, Eigen::Affine3f::Identity(), where);
 }
 
 void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::string& where) {
@@ -86,11 +97,10 @@ void add_instances(MeshTable& meshes, const PlacedNode& placed, const std::strin
     }
     const std::vector<int>& parts = shared_meshes(meshes, node.mesh, weights);
     reserve_memory(document, where, parts.size(), sizeof(Instance));
-    if (!is_invertible(world_from_mesh)) {
-      add_flattened(meshes, parts, world_from_mesh, where);
-      continue;
-    }
-    for (const int mesh : parts) meshes.scene.instances.push_back({mesh, world_from_mesh});
+    if (is_invertible(world_from_mesh))
+      add_object(meshes, node.name, parts, world_from_mesh, where);
+    else
+      add_flattened(meshes, node.name, parts, world_from_mesh, where);
   }
 }
 
@@ -108,8 +118,7 @@ void add_instances(MeshTable& meshes, std::span<const PlacedNode> placed) {
       add_instances(meshes, place, where);
     } else {  // a skinned mesh is placed by its joints, not by its node
       const RestPose pose{rest_weights(document, node), joint_transforms(document, node.skin, placed)};
-      for (const int mesh : add_meshes(meshes, node.mesh, pose))
-        meshes.scene.instances.push_back({mesh, Eigen::Affine3f::Identity()});
+      add_object(meshes, node.name, add_meshes(meshes, node.mesh, pose), Eigen::Affine3f::Identity(), where);
     }
   }
 }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "dataset/dense/bearings.h"
+#include "dataset/dense/dense_file.h"
 #include "dataset/job/finish.h"
+#include "dataset/job/frames.h"
 #include "dataset/labels/group_label.h"
 #include "dataset/pixels/image_file.h"
 #include "files/files.h"
@@ -16,8 +20,9 @@
 
 namespace cps {
 
-inline Plan small_plan() {
+inline Plan small_plan(const std::vector<DenseLabel>& labels = {}) {
   Recipe recipe;
+  recipe.labels = labels;
   recipe.name = "small";
   recipe.seed = 5;
   recipe.scenes = {"plain.glb"};
@@ -25,14 +30,43 @@ inline Plan small_plan() {
   recipe.base_hfov_deg = {60, 120};
   recipe.views = 6;
   recipe.lenses = 2;
-  return make_plan(recipe, Rig{}, {{.file = "plain.glb"}},
-                   [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(6)}; });
+  Plan plan = make_plan(recipe, Rig{}, {{.file = "plain.glb"}},
+                        [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(6)}; });
+  if (!plan.scenes[0].classes.empty()) plan.scenes[0].classes = {{.id = 7, .name = "road"}};
+  return plan;
+}
+
+/// Pixels of a dense label as if the camera stood in a sphere of 10 m that is one object of class 7.
+inline OIIO::ImageBuf sphere_label(const Label& label, const FrameRow& frame, DenseLabel kind) {
+  const CalibratedCamera camera{.name = {}, .pinhole = label.camera, .distortion = label.distortion};
+  if (kind > DenseLabel::semantic) return bearing_label(camera, frame.gravity, kind);
+  if (kind >= DenseLabel::instance) {
+    OIIO::ImageBuf ids(
+        OIIO::ImageSpec(camera.pinhole.width, camera.pinhole.height, 1, OIIO::TypeDesc::UINT16));
+    auto* id = static_cast<std::uint16_t*>(ids.localpixels());
+    std::fill_n(id, ids.spec().image_pixels(), kind == DenseLabel::instance ? 1 : 7);
+    return ids;
+  }
+  const OIIO::ImageBuf rays = bearing_label(camera, frame.gravity, DenseLabel::rays);
+  OIIO::ImageSpec spec = rays.spec();
+  if (kind != DenseLabel::normal) {
+    spec.nchannels = 1;
+    spec.channelnames = {kind == DenseLabel::depth ? "Z" : "Y"};
+  }
+  OIIO::ImageBuf pixels(spec);
+  const auto* ray = static_cast<const float*>(rays.localpixels());
+  auto* value = static_cast<float*>(pixels.localpixels());
+  for (std::size_t i = 0; i < spec.image_pixels(); ++i) {
+    if (kind == DenseLabel::depth) value[i] = 10 * ray[3 * i + 2];
+    if (kind == DenseLabel::distance) value[i] = 10;
+    for (std::size_t c = 0; kind == DenseLabel::normal && c < 3; ++c) value[3 * i + c] = -ray[3 * i + c];
+  }
+  return pixels;
 }
 
 /// A whole dataset whose pictures are noise: everything but the rendering.
 inline void write_small_dataset(const std::filesystem::path& root, const Plan& plan) {
-  for (const PlannedGroup& group : plan.groups)
-    write_json(root / group.folder / "calibration.json", to_json(group_label(plan, group)));
+  for (const PlannedGroup& group : plan.groups) write_label(root, plan, group);
   std::map<std::int64_t, ViewRecord> records;
   for (std::size_t v = 0; v < plan.views.size(); ++v) {
     const PlannedView& view = plan.views[v];
@@ -51,6 +85,13 @@ inline void write_small_dataset(const std::filesystem::path& root, const Plan& p
                                .bytes = png.size(),
                                .sha256 = sha256(png),
                                .pixels_sha256 = pixels_sha256(image)});
+      const FrameRow frame = frame_row({&view, &record, &record.images.back()});
+      for (const DenseLabel kind : plan.recipe.labels) {
+        const std::string bytes =
+            encode_dense(sphere_label(group_label(plan, plan.groups[g]), frame, kind), kind);
+        write_file(root / dense_file(file, kind), bytes);
+        record.images.back().dense.push_back({.label = kind, .bytes = bytes.size(), .sha256 = sha256(bytes)});
+      }
     }
     records[record.view] = record;
   }

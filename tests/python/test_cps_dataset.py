@@ -40,6 +40,7 @@ IMAGES = {  # by part: group and number, in the order of the list
     "val": [(2, 3), (0, 3)],
     "test": [],
 }
+DEEP_COLOUR_PNG = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(8) + bytes([16, 2]) + bytes(20)
 
 
 def true_label(group):
@@ -242,18 +243,16 @@ class Core(Layouts):
         Image.fromarray(deep).save(stream, "png")
         np.testing.assert_array_equal(decode_image(stream.getvalue())[:, :, 0], deep)
         self.assertEqual(decode_image(stream.getvalue()).dtype, np.uint16)
-        header = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR" + bytes(8) + bytes([16, 2])
-        self.assertRaisesRegex(ValueError, "16-bit colour PNG", decode_image, header + bytes(20))
-        self.assertRaisesRegex(ValueError, "EXR", decode_image, b"\x76\x2f\x31\x01" + bytes(20))
+        self.assertRaisesRegex(ValueError, "16-bit colour PNG", decode_image, DEEP_COLOUR_PNG)
 
     def test_own_decoder_reads_what_pillow_does_not(self):
-        write_dataset(self.folder / "exr")
-        file = self.folder / "exr" / file_of(0, 1, "png")
-        file.write_bytes(b"\x76\x2f\x31\x01")
-        with self.assertRaisesRegex(ValueError, "000001.png.*EXR"):
-            CpsDataset(self.folder / "exr", "train")[0]
-        data = CpsDataset(self.folder / "exr", "train", decode=lambda data: np.full((2, 2, 1), len(data), np.float32))
-        self.assertEqual(data[0]["image"].max(), 4)
+        write_dataset(self.folder / "deep")
+        file = self.folder / "deep" / file_of(0, 1, "png")
+        file.write_bytes(DEEP_COLOUR_PNG)
+        with self.assertRaisesRegex(ValueError, "000001.png.*16-bit colour PNG"):
+            CpsDataset(self.folder / "deep", "train")[0]
+        data = CpsDataset(self.folder / "deep", "train", decode=lambda data: np.full((2, 2, 1), len(data), np.float32))
+        self.assertEqual(data[0]["image"].max(), len(DEEP_COLOUR_PNG))
 
     def test_what_is_no_finished_dataset_is_named(self):
         with self.assertRaisesRegex(FileNotFoundError, "neither splits/train.txt"):
@@ -277,7 +276,7 @@ class Torch(Layouts):
     def loop(self):
         """The training loop of docs/guide.md."""
         blocks = re.findall(r"```python\n(.*?)```", (REPOSITORY / "docs/guide.md").read_text(), re.S)
-        (loop,) = [block for block in blocks if "CpsDataset" in block]
+        (loop,) = [block for block in blocks if "CpsDataset" in block and "backward" in block]
         self.assertLessEqual(len([line for line in loop.splitlines() if line.strip()]), 12)
         return loop
 

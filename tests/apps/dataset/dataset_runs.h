@@ -17,12 +17,13 @@
 
 namespace cps {
 
-/// A recipe that takes a second: 10 views of two H-FOVs under two conditions, three images each.
+/// A recipe that takes a second: 10 views of two H-FOVs under two conditions, three images each with four
+/// dense labels.
 inline std::string tiny_recipe(const std::filesystem::path& scene, const std::filesystem::path& out,
                                int samples = 2) {
   return "generate --name t --seed 3 --scene " + scene.string() +
          " --size 80x45 --base_hfov_deg 60,120 --views 5 --lenses 2 --conditions_per_scene 2 "
-         "--samples " +
+         "--labels depth,instance,semantic,up --samples " +
          std::to_string(samples) + " --out " + out.string();
 }
 

@@ -29,7 +29,7 @@ struct Rendered {
 
 TEST_CASE("cps export writes each layout, says so, and leaves it alone the second time") {
   const Rendered rendered;
-  for (const std::string target : {"webdataset", "huggingface", "colmap", "nerfstudio", "kitti"}) {
+  for (const std::string target : {"webdataset", "huggingface", "colmap", "nerfstudio", "kitti", "coco"}) {
     const fs::path out = rendered.folder / target;
     const ProgramRun run = run_cps(rendered.command(target, out));
     INFO(run.output);
@@ -42,8 +42,8 @@ TEST_CASE("cps export writes each layout, says so, and leaves it alone the secon
 }
 
 TEST_CASE("cps export refuses unknown targets and options in one line") {
-  check_refused("export data --to coco -o out", 2,
-                "--to coco: is none of webdataset, huggingface, colmap, nerfstudio, kitti");
+  check_refused("export data --to voc -o out", 2,
+                "--to voc: is none of webdataset, huggingface, colmap, nerfstudio, kitti, coco");
   check_refused("export data -o out", 2, "--to");
   check_refused("export data --to kitti", 2, "--out");
   check_refused("export data --to webdataset --shard_mb 0 -o out", 2, "--shard_mb: must lie in");
@@ -63,7 +63,7 @@ TEST_CASE("cps export refuses a dataset whose shards are not joined yet") {
 
 TEST_CASE("exports that are killed once they have begun end with the same bytes when they are run again") {
   const Rendered rendered;
-  for (const std::string target : {"webdataset", "huggingface", "colmap"}) {
+  for (const std::string target : {"webdataset", "huggingface", "colmap", "coco"}) {
     const fs::path whole = rendered.folder / (target + "_whole");
     REQUIRE(run_cps(rendered.command(target, whole)).exit_status == 0);
     for (int delay_ms : {0, 1, 2, 4, 8, 16}) {
@@ -87,7 +87,7 @@ TEST_CASE("exports that are killed once they have begun end with the same bytes 
 TEST_CASE("files that may not grow (as on a full disk) stop an export cleanly, and it goes on later") {
   const Rendered rendered;
   const fs::path whole = rendered.folder / "whole";
-  for (const std::string target : {"webdataset", "huggingface", "nerfstudio"}) {
+  for (const std::string target : {"webdataset", "huggingface", "nerfstudio", "coco"}) {
     REQUIRE(run_cps(rendered.command(target, whole)).exit_status == 0);
     for (rlim_t bytes : {100, 3000}) {
       const int status =

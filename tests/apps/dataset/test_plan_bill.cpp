@@ -40,6 +40,23 @@ TEST_CASE("plan counts what generate makes, and its sums hold") {
   CHECK(hours == Approx(double(bill.at("render_core_h")) + double(bill.at("images_core_h"))));
 }
 
+TEST_CASE("plan counts the files of dense labels") {
+  const TemporaryFolder folder;
+  const std::string scene = write_street_gltf(folder.path).string();
+  const auto image_bytes = [&](const std::string& labels) {
+    const ProgramRun run = run_cps("plan --scene " + scene +
+                                   " --size 96x54 --base_hfov_deg 60 --views 4 --lenses 1 --samples 2 --json" +
+                                   labels);
+    INFO(run.output);
+    REQUIRE(run.exit_status == 0);
+    return Json::parse(run.output).at("image_bytes").get<double>();
+  };
+  // Rays are three floats a pixel, of which ZIP leaves most.
+  const double rays_bytes = image_bytes(" --labels rays") - image_bytes("");
+  CHECK(rays_bytes > 0.5 * 8 * 96 * 54 * 12);
+  CHECK(rays_bytes < 1.1 * 8 * 96 * 54 * 12);
+}
+
 TEST_CASE("plan refuses impossible options in one line") {
   check_refused("plan --cores 0", 2, "--cores: must lie in");
   check_refused("plan --price -1", 2, "--price: must lie in");

@@ -6,6 +6,7 @@
 
 #include "dataset/export/export.h"
 #include "files/files.h"
+#include "tests/dataset/export/dense_dataset.h"
 #include "tests/dataset/small_dataset.h"
 
 namespace cps {
@@ -24,6 +25,12 @@ struct Exported {
       const ExportProgress& progress = [](std::int64_t, const std::string&) {}) const {
     return export_dataset(read_export_source(root), folder, options, progress);
   }
+};
+
+/// The same with all dense labels.
+struct Labelled : Exported {
+  Labelled() { add_dense_labels(root); }
+  explicit Labelled(ExportTarget target) : Labelled() { write(out, {.target = target}); }
 };
 
 /// The bytes of every file below a folder, by name.

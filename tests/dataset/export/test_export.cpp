@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array all_targets = {ExportTarget::webdataset, ExportTarget::huggingface, ExportTarget::colmap,
-                                    ExportTarget::nerfstudio, ExportTarget::kitti};
+                                    ExportTarget::nerfstudio, ExportTarget::kitti,       ExportTarget::coco};
 
 struct Stopped {};
 
@@ -31,8 +31,8 @@ std::size_t images_below(const fs::path& folder) {
 
 TEST_CASE("targets are named, and others refused with the list of those") {
   for (ExportTarget target : all_targets) CHECK(export_target_from_string(to_string(target)) == target);
-  CHECK_THROWS_WITH(export_target_from_string("coco"),
-                    "is none of webdataset, huggingface, colmap, nerfstudio, kitti");
+  CHECK_THROWS_WITH(export_target_from_string("voc"),
+                    "is none of webdataset, huggingface, colmap, nerfstudio, kitti, coco");
 }
 
 TEST_CASE("options that a target has no use for, and unusable ones, are refused") {
@@ -48,7 +48,7 @@ TEST_CASE("options that a target has no use for, and unusable ones, are refused"
 }
 
 TEST_CASE("the same dataset gives the same bytes, and a finished export is left alone") {
-  const Exported exported;
+  const Labelled exported;
   for (ExportTarget target : all_targets) {
     const fs::path a = exported.temporary.path / "a", b = exported.temporary.path / "b";
     INFO(to_string(target));
@@ -63,7 +63,7 @@ TEST_CASE("the same dataset gives the same bytes, and a finished export is left 
 }
 
 TEST_CASE("an export that was stopped goes on where it was, and nobody takes it for finished") {
-  const Exported exported;
+  const Labelled exported;
   for (ExportTarget target : all_targets) {
     const ExportOptions options{.target = target, .shard_mb = 1};
     const fs::path whole = exported.temporary.path / "whole", part = exported.temporary.path / "part";
@@ -175,6 +175,50 @@ TEST_CASE("an image that is not the one in frames.csv never reaches a tar") {
   fs::remove(exported.root / image);
   CHECK_THROWS_WITH(exported.write(exported.temporary.path / "k", {.target = ExportTarget::kitti}),
                     Catch::Contains(image.string() + ": cannot be read"));
+}
+
+TEST_CASE("a dense label that is not the one in frames.csv never reaches an export") {
+  const Labelled exported;
+  const fs::path depth = dense_file(read_dataset(exported.root).images.front().file, DenseLabel::depth);
+  std::string bytes = read_file(exported.root / depth);
+  bytes[bytes.size() / 2] ^= 1;
+  write_file(exported.root / depth, bytes);
+  const auto refuses = [&](const ExportOptions& options, const std::string& expected) {
+    CHECK_THROWS_WITH(exported.write(exported.out, options), Catch::Contains(depth.string() + expected));
+    CHECK_FALSE(fs::exists(exported.out / "export.json"));
+    for (const auto& [name, content] : bytes_of(exported.out))
+      CHECK_FALSE((name.ends_with(".tar") || name.ends_with(".exr")));
+    fs::remove_all(exported.out);
+  };
+  const ExportOptions copied{.target = ExportTarget::huggingface, .copy = true};
+  refuses({}, ": its hash is not that in frames.csv");
+  refuses(copied, ": its hash is not that in frames.csv");
+  fs::remove(exported.root / depth);
+  refuses({}, ": cannot be read");
+  refuses(copied, ": cannot be read");
+}
+
+TEST_CASE("folders that do not have the same dense labels are refused") {
+  const Labelled exported;
+  const fs::path frames = exported.root / exported.plan.groups.back().folder / "frames.csv";
+  CsvTable table = read_csv(frames);
+  const std::size_t column = table.column("depth_sha256");
+  table.header.erase(table.header.begin() + static_cast<std::ptrdiff_t>(column));
+  for (std::vector<std::string>& row : table.rows)
+    row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+  write_csv(table);
+  CHECK_THROWS_WITH(read_export_source(exported.root),
+                    Catch::Contains("has not the dense labels of other images"));
+}
+
+TEST_CASE("COLMAP, nerfstudio and KITTI get the images and no dense labels") {
+  const Labelled exported;
+  for (ExportTarget target : {ExportTarget::colmap, ExportTarget::nerfstudio, ExportTarget::kitti}) {
+    const fs::path out = exported.temporary.path / to_string(target);
+    exported.write(out, {.target = target});
+    CHECK(images_below(out) == read_dataset(exported.root).images.size());
+    for (const auto& [name, content] : bytes_of(out)) CHECK_FALSE(name.ends_with(".exr"));
+  }
 }
 
 TEST_CASE("a dataset without poses goes where none are needed") {

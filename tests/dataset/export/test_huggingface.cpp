@@ -165,6 +165,46 @@ TEST_CASE("croissant.json describes the image and every column of each split") {
   }
 }
 
+TEST_CASE("dense labels lie apart from the images, and the card and croissant.json tell of them") {
+  const Labelled exported(ExportTarget::huggingface);
+  const Dataset dataset = read_dataset(exported.root);
+  std::map<std::string, std::size_t> images;
+  for (const DatasetImage& image : dataset.images) {
+    const std::string part = to_string(image.part);
+    ++images[part];
+    for (DenseLabel label : all_dense_labels) {
+      const fs::path file = dense_file(image.file, label);
+      CHECK(fs::equivalent(exported.out / "dense" / part / file, exported.root / file));
+    }
+  }
+  const auto files = bytes_of(exported.out);
+  const std::string card = read_file(exported.out / "README.md");
+  std::map<std::string, Json> sets;
+  for (const Json& resource : read_json(exported.out / "croissant.json").at("distribution"))
+    if (resource.at("@type") == "cr:FileSet") sets[resource.at("@id")] = resource;
+  CHECK(sets.size() == 3 * (1 + all_dense_labels.size()));
+  for (const auto& [part, count] : images) {
+    CHECK(bytes_of(exported.out / part).size() == count + 1);  // what the card's data_files name
+    for (DenseLabel label : all_dense_labels) {
+      const Json& set = sets.at(part + "-" + to_string(label));
+      const std::string includes = set.at("includes"), wild = "**/*";
+      const std::size_t at = includes.find(wild);
+      REQUIRE(at != std::string::npos);
+      std::size_t included = 0;
+      for (const auto& [name, bytes] : files)
+        included +=
+            name.starts_with(includes.substr(0, at)) && name.ends_with(includes.substr(at + wild.size()));
+      CHECK(included == count);
+      CHECK(set.at("encodingFormat") == (includes.ends_with(".png") ? "image/png" : "image/x-exr"));
+      CHECK_THAT(card,
+                 Catch::Contains("| " + to_string(label) + " | `dense/train/000017." + to_string(label)));
+    }
+  }
+  CHECK(read_json(exported.out / "dense/classes.json").at("scenes").begin().value() == some_classes());
+  CHECK_THAT(read_file(Exported(ExportTarget::huggingface).out / "README.md"),
+             !Catch::Contains("Dense labels"));
+}
+
 TEST_CASE("a JSON-LD processor finds Croissant's terms in croissant.json, without a network", "[slow]") {
   const Exported exported(ExportTarget::huggingface);
   const std::string in_folder = "cd " + exported.temporary.path.string() + " && ";

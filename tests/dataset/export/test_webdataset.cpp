@@ -25,7 +25,8 @@ std::vector<Member> members_of(const std::string& tar) {
 }
 
 /// The members of all shards of a part, in their order.
-std::vector<Member> members_of_part(const fs::path& out, const std::string& part) {
+std::vector<Member> members_of_part(const fs::path& out, const std::string& part,
+                                    std::size_t files_per_sample = 2) {
   std::vector<Member> all;
   const nlohmann::json index = read_json(out / (part + "-index.json"));
   for (const nlohmann::json& shard : index.at("shardlist")) {
@@ -33,7 +34,7 @@ std::vector<Member> members_of_part(const fs::path& out, const std::string& part
     CHECK(shard.at("sha256") == sha256(tar));
     CHECK(shard.at("filesize") == tar.size());
     const std::vector<Member> members = members_of(tar);
-    CHECK(members.size() == 2 * shard.at("nsamples").get<std::size_t>());
+    CHECK(members.size() == files_per_sample * shard.at("nsamples").get<std::size_t>());
     all.insert(all.end(), members.begin(), members.end());
   }
   return all;
@@ -102,4 +103,60 @@ TEST_CASE("a finished shard is kept if it is what was written, and made again if
   write_file(exported.out / ".cps" / "train-000000.tar.json", std::string("{\"samples\": -1"));
   exported.write(exported.out, {});
   CHECK(read_file(shard) == good);
+}
+
+TEST_CASE("a sample has its dense labels between image and label, and they count for the size of a tar") {
+  const Labelled exported;
+  constexpr std::size_t files_per_sample = 2 + all_dense_labels.size();
+  exported.write(exported.out, {.shard_mb = 1});
+  std::map<std::string, std::vector<Member>> members;
+  std::map<std::string, std::size_t> next;
+  for (const char* part : {"train", "val", "test"})
+    members[part] = members_of_part(exported.out, part, files_per_sample);
+  for (const DatasetImage& image : read_dataset(exported.root).images) {
+    INFO(image.file);
+    const std::string part = to_string(image.part);
+    REQUIRE(members[part].size() >= next[part] + files_per_sample);
+    const auto at = [&](std::size_t i) { return members[part][next[part] + i]; };
+    const std::string key = at(0).name.substr(0, 9);
+    CHECK(at(0).name == key + ".png");
+    for (std::size_t l = 0; l < all_dense_labels.size(); ++l) {
+      const fs::path file = dense_file(image.file, all_dense_labels[l]);
+      CHECK(at(1 + l).name == key + "." + to_string(all_dense_labels[l]) + file.extension().string());
+      CHECK(at(1 + l).bytes == read_file(exported.root / file));
+    }
+    CHECK(at(files_per_sample - 1).name == key + ".json");
+    next[part] += files_per_sample;
+  }
+
+  // No tar is larger than it may be, and none is so small that the next one's first sample had fitted.
+  constexpr std::size_t most_bytes = 1'000'000;
+  std::size_t shards = 0;
+  for (const std::string part : {"train", "val", "test"}) {
+    std::size_t before = 0;
+    const nlohmann::json index = read_json(exported.out / (part + "-index.json"));
+    for (const nlohmann::json& shard : index.at("shardlist")) {
+      const std::vector<Member> files =
+          members_of(read_file(exported.out / shard.at("url").get<std::string>()));
+      std::size_t first_sample = 0;
+      for (std::size_t i = 0; i < files_per_sample; ++i)
+        first_sample += 512 + (files[i].bytes.size() + 511) / 512 * 512;
+      CHECK(shard.at("filesize") <= most_bytes);
+      if (before > 0) CHECK(before + first_sample > most_bytes);
+      before = shard.at("filesize");
+      ++shards;
+    }
+  }
+  CHECK(shards > 3);
+}
+
+TEST_CASE("classes.json tells what the classes of each condition's scene are") {
+  const Labelled exported(ExportTarget::webdataset);
+  const nlohmann::json classes = read_json(exported.out / "classes.json"),
+                       description = read_json(exported.root / "dataset.json");
+  CHECK(classes.at("conditions").size() == description.at("conditions").size());
+  for (const nlohmann::json& scene : classes.at("conditions"))
+    CHECK(classes.at("scenes").at(scene.get<std::string>()) == some_classes());
+  const Exported without(ExportTarget::webdataset);
+  CHECK_FALSE(fs::exists(without.out / "classes.json"));
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "dataset/labels/label.h"
+#include "scenes/rig.h"
+#include "tests/dataset/labels/old_label.h"
 
 using namespace cps;
 
@@ -52,11 +54,53 @@ TEST_CASE("a label written as JSON text reads back to the same bits") {
   CHECK(to_json(read).dump() == to_json(label).dump());
 }
 
+TEST_CASE("a label reads back from the form of each schema") {
+  const Label label = sample_label();
+  for (int schema : {1, 2}) {
+    const std::string text = to_json(label, schema).dump(2);
+    const nlohmann::json json = nlohmann::json::parse(text);
+    CHECK(json["schema"] == schema);
+    CHECK(json.contains("gravity") == (schema == 2));
+    const Label read = label_from_json(json, "x");
+    CHECK(to_json(read, schema).dump(2) == text);
+    CHECK(to_json(read).dump() == to_json(label).dump());
+  }
+}
+
+TEST_CASE("a file of schema 1 reads, and can be written again to the byte") {
+  const Label label = label_from_json(nlohmann::json::parse(old_label), "x");
+  CHECK(label.distortion.k1 == -0.48237934985647657);
+  CHECK(label.part == Part::test);
+  CHECK(nominal_gravity(label) == Eigen::Vector3d(0, 1, 0));
+  CHECK(to_json(label, 1).dump(2) + "\n" == old_label);
+}
+
+TEST_CASE("gravity is where the camera's mounting puts it, in closed form") {
+  const auto gravity = [](const RigCamera& camera) {
+    Label label;
+    label.vehicle_from_camera = vehicle_from_camera(camera);
+    return nominal_gravity(label);
+  };
+  const double a = 25 * M_PI / 180, r = 40 * M_PI / 180;
+  CHECK(gravity({}) == Eigen::Vector3d(0, 1, 0));
+  using Vector = Eigen::Vector3d;
+  const auto differ = [&](const RigCamera& camera, const Vector& expected) {
+    return (gravity(camera) - expected).norm();
+  };
+  CHECK(differ({.yaw_deg = 75}, {0, 1, 0}) < 1e-14);
+  CHECK(differ({.pitch_deg = 25}, {0, std::cos(a), -std::sin(a)}) < 1e-14);  // seen upwards: it lies behind
+  CHECK(differ({.pitch_deg = -90}, {0, 0, 1}) < 1e-14);
+  CHECK(differ({.roll_deg = 40}, {std::sin(r), std::cos(r), 0}) < 1e-14);  // the right side is the lower
+  CHECK(differ({.yaw_deg = -130, .pitch_deg = 25, .roll_deg = 40},
+               {std::sin(r) * std::cos(a), std::cos(r) * std::cos(a), -std::sin(a)}) < 1e-14);
+}
+
 TEST_CASE("the keys that other readers use are there and consistent") {
   const nlohmann::json json = nlohmann::json::parse(to_json(sample_label()).dump());
-  for (const char* key : {"fov",  "K",           "width",  "height", "k1",     "k2",           "k3",
-                          "p1",   "p2",          "cx",     "cy",     "schema", "fov_base_deg", "fov_true_deg",
-                          "crop", "certificate", "limits", "camera", "part",   "seed",         "generator"})
+  for (const char* key :
+       {"fov",    "K",      "width", "height", "k1",           "k2",           "k3",   "p1",
+        "p2",     "cx",     "cy",    "schema", "fov_base_deg", "fov_true_deg", "crop", "certificate",
+        "limits", "camera", "part",  "seed",   "generator",    "gravity"})
     CHECK(json.contains(key));
   const double fov = json["fov"].get<double>() * M_PI / 180;
   CHECK(json["K"][0][0].get<double>() == Approx(1392 / (2 * std::tan(fov / 2))).epsilon(1e-12));
@@ -82,7 +126,14 @@ TEST_CASE("a label that contradicts itself or lacks a key is refused by key") {
   CHECK_THAT(changed("/K", {1, 2, 3}), Catch::Contains("K"));
   CHECK_THAT(changed("/K/0/0", 0.0), Catch::Contains("K"));
   CHECK_THAT(changed("/k2", nullptr), Catch::Contains("k2: must be a number"));
-  CHECK_THAT(changed("/schema", 99), Catch::Contains("schema"));
+  for (double schema : {0., 1.5, 3., 99.})
+    CHECK_THAT(changed("/schema", schema),
+               Catch::StartsWith("x/calibration.json: schema: is neither 1 nor 2"));
+  CHECK_THAT(changed("/gravity/0", 1e-5),
+             Catch::StartsWith("x/calibration.json: gravity: contradicts T_vehicle_camera"));
+  CHECK(changed("/gravity/0", 1e-7).empty());
+  CHECK_THAT(changed("/gravity", {0, 1}), Catch::Contains("gravity: must be 3 numbers"));
+  CHECK_THAT(changed("/camera/T_vehicle_camera/2/1", .1), Catch::Contains("gravity: contradicts"));
   CHECK_THAT(changed("/part", "training"), Catch::Contains("training"));
   CHECK_THAT(changed("/limits/k1", "wide"), Catch::Contains("k1"));
   CHECK_THAT(changed("/camera/T_vehicle_camera", 3), Catch::Contains("T_vehicle_camera"));

@@ -155,6 +155,11 @@ TEST_CASE("verify finds a pose that contradicts the vehicle's, and a field that 
   CHECK_THAT(after_adding("vehicle_z_m", 1), Catch::Contains("its camera is turned by"));
   CHECK_THAT(after_adding("vehicle_heading_deg", 40), Catch::Contains("its camera is turned by"));
   CHECK_THAT(after_adding("camera_qw", .1), Catch::Contains("no unit quaternion"));
+  for (const char* column : {"gravity_x", "gravity_y", "gravity_z"}) {
+    CHECK_THAT(after_adding(column, 1e-4),
+               Catch::Contains("000000.png: gravity_x…z: contradicts camera_qw…qz"));
+    CHECK(after_adding(column, 1e-8).empty());
+  }
   CHECK_THAT(faults_after([](auto& root, auto& plan) {
                edit_column(root / plan.groups[0].folder / "frames.csv", "condition",
                            [](const std::string&) { return "zero"; });

@@ -33,6 +33,43 @@ TEST_CASE("EXT_mesh_gpu_instancing repeats a mesh in its node's frame") {
   CHECK(refusal(maker) == where + ": its attributes differ in count");
 }
 
+TEST_CASE("what a node places is one object, whatever it is made of") {
+  GltfMaker maker = one_triangle();
+  maker.json["asset"]["generator"] = "a modeller";
+  json& primitives = maker.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);  // a thing of two parts
+  const int translations = maker.add_floats({0, 0, 0, 5, 0, 0}, "VEC3");
+  maker.json["nodes"] = {
+      {{"mesh", 0}, {"name", "car"}},
+      {{"mesh", 0}},  // without a name
+      {{"mesh", 0},
+       {"name", "tree"},
+       {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", translations}}}}}}}},
+      {{"mesh", 0}, {"name", "invisible"}, {"scale", {0, 0, 0}}},
+      {{"mesh", 0}, {"name", "flat"}, {"scale", {1, 1, 0}}},
+      {{"name", "empty"}},
+      {{"mesh", 0}, {"name", "car"}}};
+  maker.json["scenes"][0]["nodes"] = {0, 1, 2, 3, 4, 5, 6};
+  const cps::Scene scene = import_glb(maker);
+  CHECK(scene.generator == "a modeller");
+  CHECK(scene.objects == std::vector<std::string>{"car", "", "tree", "tree", "flat", "car"});
+  REQUIRE(scene.instances.size() == 12);
+  for (int i = 0; i < 12; ++i) CHECK(scene.instances[i].object == i / 2);
+  CHECK((scene.instances[6].world_from_mesh * Vector3f(0, 0, 0)).x() == 5);  // the second tree
+}
+
+TEST_CASE("a skinned mesh is one object") {
+  GltfMaker maker = skinned_triangle();
+  maker.json["nodes"][0]["name"] = "walker";
+  json& primitives = maker.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  const cps::Scene scene = import_glb(maker);
+  CHECK(scene.objects == std::vector<std::string>{"walker"});
+  REQUIRE(scene.instances.size() == 2);
+  CHECK(scene.instances[1].object == 0);
+  CHECK(scene.generator.empty());
+}
+
 TEST_CASE("a skin takes the rest pose: weights blend the joints' transforms") {
   const cps::Scene scene = import_glb(skinned_triangle());
   REQUIRE(scene.instances.size() == 1);

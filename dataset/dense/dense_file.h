@@ -1,0 +1,39 @@
+#pragma once
+
+#include <OpenImageIO/imagebuf.h>
+
+#include <filesystem>
+#include <string>
+
+#include "distortion/image_size.h"
+#include "sampler/recipe/dense_label.h"
+
+/// The files of an image's dense labels, beside it. The same pixels give the same bytes.
+///
+/// | label              | file       | channels |
+/// |--------------------|------------|-----------------------------------------------------------------------|
+/// | depth, distance    | .exr float | Z; Y: metres; infinite where nothing is | | normal, rays       | .exr
+/// float | X, Y, Z: unit vector, camera frame (x right, y down, z forward)       | | up                 |
+/// .exr float | X, Y: unit vector in the picture (x right, y down)                    | | latitude | .exr
+/// float | Y: degrees above the horizon                                          | | instance, semantic |
+/// .png       | one of 16 bits                                                        |
+namespace cps {
+
+/// `000017.depth.exr` for the image `000017.png`, in the same folder.
+std::filesystem::path dense_file(const std::filesystem::path& image, DenseLabel label);
+
+/// Whether dense_file() gives this name to an image's label.
+bool is_dense_file(const std::filesystem::path& file);
+
+/// Type (float or uint16) and channels of the label's pixels, as the table lists them.
+OIIO::ImageSpec dense_spec(DenseLabel label, ImageSize size);
+
+/// The bytes of the label's file: an EXR of floats, losslessly compressed (ZIP, scanlines), or a PNG. Throws
+/// std::runtime_error when there are no pixels, or not of dense_spec()'s type and number of channels.
+std::string encode_dense(const OIIO::ImageBuf& pixels, DenseLabel label);
+
+/// The pixels in such a file, as dense_spec() says. Throws std::runtime_error with one line, file first, when
+/// it cannot be read or does not hold what the table says.
+OIIO::ImageBuf read_dense(const std::filesystem::path& file, DenseLabel label);
+
+}  // namespace cps
