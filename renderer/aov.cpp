@@ -40,12 +40,29 @@ ImageLayer empty_layer(Aov aov, int width, int height) {
   return {what.name, OIIO::ImageBuf(spec)};
 }
 
-/// Hit of a pixel's central ray.
+/// Hit of the ray through a pixel's centre.
 struct CentralHit {
   Surface surface;
   HitIds ids;
+  Vec3 position;
   float distance, cos_axis;  ///< along the ray, metres; of its angle to the optical axis
 };
+
+/// The central path passes a hair beside the pixel's centre (central_offset_px): where the ray through the
+/// centre itself meets the plane of the triangle that was hit.
+CentralHit hit_at_center(const Path& path, const Hit& hit, const Surface& surface, const HitIds& ids,
+                         const Vec3& center, const Vec3& optical_axis) {
+  const float along = surface.geometric_normal.dot(path.ray.direction),
+              along_center = surface.geometric_normal.dot(center);
+  // The two differ by more than this only where the plane is all but parallel to them.
+  const bool is_oblique = along < 0.5f * along_center && along > 2 * along_center;
+  const float distance = is_oblique ? hit.t * (along / along_center) : hit.t;
+  return {.surface = surface,
+          .ids = ids,
+          .position = surface.position + (distance * center - hit.t * path.ray.direction),
+          .distance = distance,
+          .cos_axis = center.dot(optical_axis)};
+}
 
 void set_floats(OIIO::ImageBuf& image, const TilePixel& at, const Vec3& value) {
   std::copy_n(value.data(), image.nchannels(), static_cast<float*>(image.pixeladdr(at.x, at.y)));
@@ -64,7 +81,7 @@ void set_central(Aov aov, OIIO::ImageBuf& image, const TilePixel& at, const Cent
     case Aov::normal:
       return set_floats(image, at, central.surface.shading.normal);
     case Aov::position:
-      return set_floats(image, at, central.surface.position);
+      return set_floats(image, at, central.position);
     case Aov::instance:
       return set_id(image, at, central.ids.instance + 1);
     case Aov::material:
@@ -104,19 +121,21 @@ struct AovTiles {
     for (int first = 0; first < Tile::pixels; first += packet_size) {
       Path paths[packet_size];
       Hit hits[packet_size];
+      Vec3 centers[packet_size];
       for (int i = 0; i < packet_size; ++i) {
         const TilePixel at = tile_pixel(tile, first + i);
         if (!contains(at)) continue;
         const CameraPixel pixel = camera_pixel(source.rays, at.x, at.y);
         paths[i] = central_path(source, pixel, at.x, at.y);
+        centers[i] = camera_ray(source.rays, pixel, Eigen::Vector2f::Zero()).direction;
       }
       first_hits(scene, paths, hits);
       for (int i = 0; i < packet_size; ++i) {
         if (!paths[i].alive) continue;
         const TilePixel at = tile_pixel(tile, first + i);
         if (hits[i])
-          set_hit(at, {surface_of(paths[i], hits[i]), ids_of(scene, hits[i]), hits[i].t,
-                       paths[i].ray.direction.dot(optical_axis)});
+          set_hit(at, hit_at_center(paths[i], hits[i], surface_of(paths[i], hits[i]), ids_of(scene, hits[i]),
+                                    centers[i], optical_axis));
         else
           for (std::size_t k = 0; k < wanted.size(); ++k) set_nothing(wanted[k], layers[k].image, at);
       }

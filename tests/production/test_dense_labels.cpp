@@ -56,7 +56,7 @@ struct LabelledView {
   }
 };
 
-constexpr Distortion strong{-0.31, 0.12, -0.02, 0.004, -0.006};
+constexpr Distortion strong{-0.29, 0.11, -0.015, 0.004, -0.006};
 
 /// Of a float that was computed from floats.
 Approx near(double value) {

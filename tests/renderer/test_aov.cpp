@@ -50,7 +50,7 @@ TEST_CASE("Layers of a floor and a sphere, through a lens, against their closed 
   for (int y = 0; y < 47; ++y) {
     for (int x = 0; x < 61; ++x) {
       const Eigen::Vector3d d =
-          camera_ray(rays, camera_pixel(rays, x, y), central_offset_px).direction.cast<double>();
+          camera_ray(rays, camera_pixel(rays, x, y), Eigen::Vector2f::Zero()).direction.cast<double>();
       const Eigen::Vector3d to_center = Eigen::Vector3d(0, 2, 0) - from;
       const double along = to_center.dot(d), miss = (to_center - along * d).norm();
       if (std::abs(miss - 1) < 2e-3) continue;  // the silhouette of a sphere made of triangles

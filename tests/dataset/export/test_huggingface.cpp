@@ -180,7 +180,8 @@ TEST_CASE("dense labels lie apart from the images, and the card and croissant.js
   const auto files = bytes_of(exported.out);
   const std::string card = read_file(exported.out / "README.md");
   std::map<std::string, Json> sets;
-  for (const Json& resource : read_json(exported.out / "croissant.json").at("distribution"))
+  const Json croissant = read_json(exported.out / "croissant.json");
+  for (const Json& resource : croissant.at("distribution"))
     if (resource.at("@type") == "cr:FileSet") sets[resource.at("@id")] = resource;
   CHECK(sets.size() == 3 * (1 + all_dense_labels.size()));
   for (const auto& [part, count] : images) {
