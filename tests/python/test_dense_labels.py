@@ -240,7 +240,7 @@ class Generated(unittest.TestCase):
         cls.folder = Path(temporary.name)
         cls.data = cls.folder / "data"
         run(CPS, "generate", "--name", "t", "--seed", "3", "--scene", write_street(cls.folder), "--size", "80x45",
-            "--base_hfov_deg", "90", "--views", "5", "--lenses", "1", "--samples", "1", "--image_format", "exr",
+            "--base_hfov_deg", "90", "--views", "5", "--lenses", "1", "--samples", "2", "--image_format", "exr",
             "--mount_error_deg", "3", "--labels", ",".join(DENSE), "--out", cls.data)  # fmt: skip
         run(CPS, "export", cls.data, "--to", "webdataset", "-o", cls.folder / "tars")
         run(CPS, "export", cls.data, "--to", "huggingface", "-o", cls.folder / "hub", "--license", "cc0-1.0")

@@ -18,14 +18,16 @@ TEST_CASE("generate, verify and contact-sheet make a whole dataset, and a finish
   INFO(made.output);
   REQUIRE(made.exit_status == 0);
   const auto files = contents(out);
-  CHECK(std::count_if(files.begin(), files.end(), [](const auto& f) { return f.first.ends_with(".png"); }) ==
-        2 * 5 * 3);
+  std::map<std::string, int> count;  // by what follows the image's number
+  for (const auto& [name, bytes] : files) ++count[name.substr(std::min(name.find('.'), name.size()))];
+  for (const char* ending : {".png", ".depth.exr", ".instance.png", ".semantic.png", ".up.exr"})
+    CHECK(count[ending] == 2 * 5 * 3);
   CHECK(files.contains("80x45_hfov060/front_lens0000/calibration.json"));
   CHECK(files.at("dataset.json").find("made by a test") != std::string::npos);
   const ProgramRun verified = run_cps("verify " + out.string());
   INFO(verified.output);
   CHECK(verified.exit_status == 0);
-  CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
+  CHECK_THAT(verified.output, Catch::Contains("30 images, 120 dense labels, 0 faults"));
   CHECK(run_cps("contact-sheet " + out.string() + " -o " + (folder / "sheet.png").string()).exit_status == 0);
   const auto before = fs::last_write_time(out / "dataset.json");
   const ProgramRun again = run_cps(tiny_recipe(scene, out));
@@ -152,7 +154,7 @@ TEST_CASE("every image format verifies, and has the same bytes from one thread a
     const ProgramRun verified = run_cps("verify " + one.string());
     INFO(verified.output);
     CHECK(verified.exit_status == 0);
-    CHECK_THAT(verified.output, Catch::Contains("30 images, 0 faults"));
+    CHECK_THAT(verified.output, Catch::Contains("30 images, 120 dense labels, 0 faults"));
     CHECK(run_cps("contact-sheet " + one.string() + " -o " + (folder / "sheet.png").string()).exit_status ==
           0);
   }

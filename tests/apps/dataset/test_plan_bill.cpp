@@ -44,9 +44,9 @@ TEST_CASE("plan counts the files of dense labels") {
   const TemporaryFolder folder;
   const std::string scene = write_street_gltf(folder.path).string();
   const auto image_bytes = [&](const std::string& labels) {
-    const ProgramRun run = run_cps("plan --scene " + scene +
-                                   " --size 96x54 --base_hfov_deg 60 --views 4 --lenses 1 --samples 2 --json" +
-                                   labels);
+    const ProgramRun run =
+        run_cps("plan --scene " + scene +
+                " --size 96x54 --base_hfov_deg 60 --views 4 --lenses 1 --samples 2 --json" + labels);
     INFO(run.output);
     REQUIRE(run.exit_status == 0);
     return Json::parse(run.output).at("image_bytes").get<double>();

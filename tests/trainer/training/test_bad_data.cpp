@@ -66,7 +66,7 @@ TEST_CASE("a corrupt image is named, and refused or left out as asked") {
 TEST_CASE("labels with invalid numbers, or of another schema, are refused by name") {
   const TemporaryFolder folder;
   const Dataset dataset = streets(folder.path / "data");
-  check_refused_label(dataset, "\"schema\":", "\"schema\": 2");
+  check_refused_label(dataset, "\"schema\":", "\"schema\": 3");
   check_refused_label(dataset, "\"k1\":", "\"k1\": null");
   check_refused_label(dataset, "\"k1\":", "\"k1\": NaN");
   check_refused_label(dataset, "\"k1\":", "\"k1\": 1e999");
