@@ -15,7 +15,7 @@ std::shared_ptr<LitScene> load_condition(const Plan& plan, int condition, const 
   lit->scene = build_render_scene(scene, planned.light.daylight);
   if (plan.recipe.light_method == LightMethod::cached)
     lit->cache = std::make_unique<LightCache>(scene, *lit->scene, plan.recipe.max_shaded_vertices, cache);
-  if (!plan.recipe.labels.empty()) lit->labels = instance_labels(scene);
+  lit->labels = instance_labels(scene, plan.recipe.labels);
   return lit;
 }
 

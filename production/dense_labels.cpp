@@ -111,12 +111,14 @@ std::vector<DenseRecord> label_image(const Recipe& recipe, const PlannedImage& i
 
 }  // namespace
 
-InstanceLabels instance_labels(const Scene& scene) {
-  SceneClasses classes = semantic_classes(scene);
-  InstanceLabels labels{
-      .object = {}, .semantic = std::move(classes.of_instance), .semantic_background = classes.background};
-  for (const Instance& instance : scene.instances)
-    labels.object.push_back(static_cast<std::uint16_t>(1 + instance.object));
+InstanceLabels instance_labels(const Scene& scene, const std::vector<DenseLabel>& wanted) {
+  InstanceLabels labels;
+  if (std::ranges::count(wanted, DenseLabel::instance) > 0) labels.object = object_ids(scene);
+  if (std::ranges::count(wanted, DenseLabel::semantic) > 0) {
+    SceneClasses classes = semantic_classes(scene);
+    labels.semantic = std::move(classes.of_instance);
+    labels.semantic_background = classes.background;
+  }
   return labels;
 }
 

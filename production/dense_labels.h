@@ -11,8 +11,9 @@
 
 namespace cps {
 
-/// What instance and semantic labels say of each of Scene::instances. Throws as semantic_classes() does.
-InstanceLabels instance_labels(const Scene& scene);
+/// What instance and semantic labels, as far as they are wanted, say of each of Scene::instances. Throws as
+/// object_ids() and semantic_classes() do.
+InstanceLabels instance_labels(const Scene& scene, const std::vector<DenseLabel>& wanted);
 
 /// Computes the recipe's dense labels of a view's images, one ray a pixel through each image's lens, and
 /// writes them below `root`: an entry per image, in their order. The car must be where the view has it, as

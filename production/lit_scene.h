@@ -19,7 +19,7 @@ struct InstanceLabels {
 struct LitScene {
   std::shared_ptr<RenderScene> scene;
   std::unique_ptr<LightCache> cache;  ///< of this scene; null: all light is traced
-  InstanceLabels labels = {};         ///< empty unless the recipe asks for dense labels
+  InstanceLabels labels = {};         ///< of the dense labels that the recipe asks for
 };
 
 }  // namespace cps

@@ -49,9 +49,16 @@ SceneClasses classes_by_name(const Scene& scene) {
 }  // namespace
 
 SceneClasses semantic_classes(const Scene& scene) {
-  if (scene.objects.size() > most_ids)
-    refuse(scene, "objects", "use a smaller scene, or leave instance and semantic out of the labels");
   return is_procedural_city(scene) ? city_classes(scene) : classes_by_name(scene);
+}
+
+std::vector<std::uint16_t> object_ids(const Scene& scene) {
+  if (scene.objects.size() > most_ids)
+    refuse(scene, "objects", "use a smaller scene, or leave instance out of the labels");
+  std::vector<std::uint16_t> ids;
+  for (const Instance& instance : scene.instances)
+    ids.push_back(static_cast<std::uint16_t>(1 + instance.object));
+  return ids;
 }
 
 }  // namespace cps

@@ -26,8 +26,11 @@ struct SceneClasses {
 /// The classes of a scene's instances. In cities that `cps city` wrote they are Cityscapes'
 /// (city_classes.h). In every other scene each pair of names, object and material, is a class of its own,
 /// countable, with ids from 1 in the order of Scene::instances, and 0 is the background. Throws
-/// std::runtime_error with one line (scene, what, fix) when there are more than 65,535 objects or pairs,
-/// which labels of 16 bits cannot number.
+/// std::runtime_error with one line (scene, what, fix) when there are more than 65,535 pairs, which labels of
+/// 16 bits cannot number.
 SceneClasses semantic_classes(const Scene& scene);
+
+/// 1 + the object of each of Scene::instances. Throws likewise for more than 65,535 objects.
+std::vector<std::uint16_t> object_ids(const Scene& scene);
 
 }  // namespace cps

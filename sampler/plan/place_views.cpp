@@ -48,6 +48,8 @@ DrivableScene load_drivable(Plan& plan, int s, const LoadDrivenScene& load) {
   planned.origin = driven.scene.origin;
   DrivableScene drivable = drivable_scene(driven.scene, planned.file.string(), plan.recipe,
                                           streets_stream(plan.recipe, plan.scenes, s));
+  // Refuses scenes that cannot be labelled before anything is rendered.
+  if (std::ranges::count(plan.recipe.labels, DenseLabel::instance) > 0) object_ids(driven.scene);
   if (std::ranges::count(plan.recipe.labels, DenseLabel::semantic) > 0)
     planned.classes = classes_of(std::move(driven.scene), plan.recipe);
   return drivable;

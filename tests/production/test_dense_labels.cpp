@@ -46,7 +46,7 @@ struct LabelledView {
          .sensor = {}});
     const Scene scene = floor_and_sphere();
     lit.scene = build_render_scene(scene, {});
-    lit.labels = instance_labels(scene);
+    lit.labels = instance_labels(scene, recipe.labels);
     std::atomic<std::int64_t> cpu_ns = 0;
     records = make_dense_labels(recipe, view, wanted, lit, folder.path, cpu_ns).at(0);
   }
