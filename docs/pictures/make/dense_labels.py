@@ -1,7 +1,7 @@
 """Draws docs/pictures/dense_labels.jpg: an image and its dense labels, side by side.
 
     cps city --seed 1 -o city.glb
-    cps generate --recipe demo --scene city.glb --size 480x270 --views 3 --base_hfov_deg 90 --lenses 1 --samples 16 \
+    cps generate --recipe demo --scene city.glb --size 480x270 --views 3 --base_hfov_deg 90 --lenses 1 --samples 8 \
         --labels depth,normal,instance,semantic,up,latitude --out data
     python3 dense_labels.py data 480x270_hfov090/front_lens0001/000000.png dense_labels.jpg
 """
