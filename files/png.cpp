@@ -37,24 +37,27 @@ std::string header(const OIIO::ImageSpec& spec) {
   return data;
 }
 
-/// The pixels' bytes, 16-bit numbers with the high byte first.
-std::vector<std::uint8_t> samples(const OIIO::ImageBuf& image) {
-  const auto* from = static_cast<const std::uint8_t*>(image.localpixels());
-  std::vector<std::uint8_t> bytes(from, from + image.spec().image_bytes());
-  if (is_deep(image.spec()))
-    for (std::size_t i = 0; i < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
+/// The pixels' bytes with the high byte of each 16-bit number first, as PNG has them.
+std::vector<std::uint8_t> high_bytes_first(const std::uint8_t* from, std::size_t count) {
+  std::vector<std::uint8_t> bytes(from, from + count);
+  for (std::size_t i = 0; i < count; i += 2) std::swap(bytes[i], bytes[i + 1]);
   return bytes;
 }
 
 /// PNG's filter SUB: each row begins with the filter's number, then every byte minus that of the same channel
 /// in the pixel to the left.
 std::vector<std::uint8_t> filtered_rows(const OIIO::ImageBuf& image) {
-  const std::vector<std::uint8_t> from = samples(image);
+  const auto* from = static_cast<const std::uint8_t*>(image.localpixels());
+  std::vector<std::uint8_t> swapped;
+  if (is_deep(image.spec())) {
+    swapped = high_bytes_first(from, image.spec().image_bytes());
+    from = swapped.data();
+  }
   const int height = image.spec().height;
   const std::size_t row_bytes = image.spec().scanline_bytes(), pixel_bytes = image.spec().pixel_bytes();
   std::vector<std::uint8_t> rows((row_bytes + 1) * height);
   for (int y = 0; y < height; ++y) {
-    const std::uint8_t* pixel = &from[y * row_bytes];
+    const std::uint8_t* pixel = from + y * row_bytes;
     std::uint8_t* row = &rows[y * (row_bytes + 1)];
     constexpr std::uint8_t sub = 1;
     *row++ = sub;

@@ -1,15 +1,12 @@
 #include "production/dense_labels.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <exception>
 
 #include "dataset/dense/bearings.h"
 #include "dataset/dense/dense_file.h"
 #include "files/files.h"
 #include "numbers/cpu_time.h"
+#include "production/each_image.h"
 #include "production/view_render.h"
 #include "renderer/aov.h"
 #include "scenes/rig.h"
@@ -126,28 +123,13 @@ std::vector<std::vector<DenseRecord>> make_dense_labels(const Recipe& recipe, co
                                                         const ViewImages& wanted, const LitScene& lit,
                                                         const std::filesystem::path& root,
                                                         std::atomic<std::int64_t>& cpu_ns) {
-  const std::size_t count = wanted.images.size();
-  std::vector<std::vector<DenseRecord>> records(count);
+  std::vector<std::vector<DenseRecord>> records(wanted.images.size());
   if (recipe.labels.empty()) return records;
-  std::vector<std::exception_ptr> errors(count);
-  // As in make_images(): errors are kept until all images are done, and each image has an arena of one
-  // thread, whose clock counts this image only.
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, count, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) try {
-            tbb::task_arena(1).execute([&] {
-              const double begin_s = cpu_s(CLOCK_THREAD_CPUTIME_ID);
-              records[i] = label_image(recipe, wanted.images[i], view, lit, root);
-              cpu_ns += static_cast<std::int64_t>(1e9 * (cpu_s(CLOCK_THREAD_CPUTIME_ID) - begin_s));
-            });
-          } catch (...) {
-            errors[i] = std::current_exception();
-          }
-      },
-      tbb::simple_partitioner());
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
+  for_each_image(wanted.images.size(), [&](std::size_t i) {
+    const double begin_s = cpu_s(CLOCK_THREAD_CPUTIME_ID);
+    records[i] = label_image(recipe, wanted.images[i], view, lit, root);
+    cpu_ns += static_cast<std::int64_t>(1e9 * (cpu_s(CLOCK_THREAD_CPUTIME_ID) - begin_s));
+  });
   return records;
 }
 

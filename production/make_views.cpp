@@ -23,7 +23,7 @@ std::string name_of(const Plan& plan, const PlannedView& view) {
 
 /// A view that is rendered, and then its images are made.
 struct ViewInFlight {
-  std::int64_t view = 0;
+  ViewImages wanted;
   RenderedHalves halves = {};
   std::vector<std::vector<DenseRecord>> dense = {};  ///< by image
   MadeImages made = {};
@@ -52,7 +52,7 @@ class ViewLine {
     };
     const auto images = [this](Token view) {
       attempt([&] {
-        view->made = make_images(images_of(plan_, view->view), view->halves, root_, image_times_);
+        view->made = make_images(view->wanted, view->halves, root_, image_times_);
         view->halves = {};
         for (std::size_t i = 0; i < view->dense.size(); ++i)
           view->made.record.images[i].dense = std::move(view->dense[i]);
@@ -100,8 +100,9 @@ class ViewLine {
   /// Null when no view is left or the work must stop.
   std::shared_ptr<ViewInFlight> render_next() {
     if (must_stop() || next_ == views_.size()) return nullptr;
-    auto in_flight = std::make_shared<ViewInFlight>(ViewInFlight{.view = views_[next_++]});
-    const PlannedView& view = plan_.views[in_flight->view];
+    auto in_flight =
+        std::make_shared<ViewInFlight>(ViewInFlight{.wanted = images_of(plan_, views_[next_++])});
+    const PlannedView& view = plan_.views[in_flight->wanted.view];
     was_given_up_ = true;  // until it is rendered
     LitScene& scene = loaded_.of(plan_, view);
     if (scenes_in_memory(threads_) > 1) prefetch_after(view);
@@ -110,8 +111,7 @@ class ViewLine {
     });
     summary_.cpu.render_s += in_flight->halves.cpu_s;
     // Now, while the scene and the car in it are this view's.
-    in_flight->dense =
-        make_dense_labels(plan_.recipe, view, images_of(plan_, in_flight->view), scene, root_, labels_ns_);
+    in_flight->dense = make_dense_labels(plan_.recipe, view, in_flight->wanted, scene, root_, labels_ns_);
     was_given_up_ = false;
     return in_flight;
   }

@@ -1,15 +1,11 @@
 #include "production/view_images.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include <exception>
-
 #include "dataset/job/masters.h"
 #include "dataset/pixels/image_file.h"
 #include "dataset/pixels/master_file.h"
 #include "files/files.h"
 #include "numbers/cpu_time.h"
+#include "production/each_image.h"
 
 namespace cps {
 namespace {
@@ -88,24 +84,9 @@ MadeImages make_images(const ViewImages& wanted, const RenderedHalves& halves, c
   const std::size_t count = wanted.images.size();
   ViewRecord record{
       .view = wanted.view, .exposure = master.exposure, .images = std::vector<ImageRecord>(count)};
-  std::vector<std::exception_ptr> errors(count);
-  // Errors are kept until all images are made: an exception that left the loop would cancel the loops inside
-  // other images, which would then be written with pixels missing.
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, count, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) try {
-            // In an arena of one thread, which takes no other work meanwhile: its clock counts this image
-            // only.
-            tbb::task_arena(1).execute(
-                [&] { record.images[i] = make_image(wanted, wanted.images[i], master, root, times); });
-          } catch (...) {
-            errors[i] = std::current_exception();
-          }
-      },
-      tbb::simple_partitioner());
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
+  for_each_image(count, [&](std::size_t i) {
+    record.images[i] = make_image(wanted, wanted.images[i], master, root, times);
+  });
   if (!wanted.master_file.empty()) record.master = keep_master(wanted.master_file, master.light, root, times);
   return {std::move(record), frame_exposure(master)};
 }

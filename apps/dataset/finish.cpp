@@ -2,14 +2,13 @@
 
 #include <iostream>
 
+#include "apps/dataset/dataset_argument.h"
 #include "apps/interruption.h"
-#include "apps/options.h"
 #include "apps/verbs.h"
 #include "dataset/job/gaps.h"
 #include "dataset/job/journal.h"
 #include "production/dataset_job.h"
 
-namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace cps {
@@ -59,16 +58,8 @@ folder was begun with.
 };
 
 int cps_finish(const Arguments& arguments) {
-  po::options_description options("Options");
-  options.add_options()("dataset", po::value<std::string>()->value_name("DATASET")->required(),
-                        "the dataset's folder");
-  po::positional_options_description positional;
-  positional.add("dataset", 1);
-  po::variables_map values;
-  if (!parse_options(arguments, finish_manual, options, positional, values)) return 0;
-  po::notify(values);
-  const auto& root = values["dataset"].as<std::string>();
-  return run_interruptible(root, [&] { return finish(root); });
+  const std::optional<std::string> root = dataset_argument(arguments, finish_manual);
+  return root ? run_interruptible(*root, [&] { return finish(*root); }) : 0;
 }
 
 }  // namespace cps

@@ -4,12 +4,11 @@
 
 #include <iostream>
 
+#include "apps/dataset/dataset_argument.h"
 #include "apps/interruption.h"
-#include "apps/options.h"
 #include "apps/verbs.h"
 #include "dataset/labels/label.h"
 
-namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace cps {
@@ -52,16 +51,8 @@ it was does not go on: export to a new folder.
 };
 
 int cps_migrate(const Arguments& arguments) {
-  po::options_description options("Options");
-  options.add_options()("dataset", po::value<std::string>()->value_name("DATASET")->required(),
-                        "the dataset's folder");
-  po::positional_options_description positional;
-  positional.add("dataset", 1);
-  po::variables_map values;
-  if (!parse_options(arguments, migrate_manual, options, positional, values)) return 0;
-  po::notify(values);
-  const auto& root = values["dataset"].as<std::string>();
-  return run_interruptible(root, [&] { return migrate(root); });
+  const std::optional<std::string> root = dataset_argument(arguments, migrate_manual);
+  return root ? run_interruptible(*root, [&] { return migrate(*root); }) : 0;
 }
 
 }  // namespace cps

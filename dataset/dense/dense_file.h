@@ -10,13 +10,13 @@
 
 /// The files of an image's dense labels, beside it. The same pixels give the same bytes.
 ///
-/// | label              | file       | channels |
-/// |--------------------|------------|-----------------------------------------------------------------------|
-/// | depth, distance    | .exr float | Z; Y: metres; infinite where nothing is | | normal, rays       | .exr
-/// float | X, Y, Z: unit vector, camera frame (x right, y down, z forward)       | | up                 |
-/// .exr float | X, Y: unit vector in the picture (x right, y down)                    | | latitude | .exr
-/// float | Y: degrees above the horizon                                          | | instance, semantic |
-/// .png       | one of 16 bits                                                        |
+/// Floats in an EXR:
+///   depth, distance   channel Z, and Y: metres; infinite where nothing is
+///   normal, rays      X, Y, Z: unit vector, camera frame (x right, y down, z forward)
+///   up                X, Y: unit vector in the picture (x right, y down)
+///   latitude          Y: degrees above the horizon
+/// 16-bit numbers in a PNG of one channel:
+///   instance, semantic
 namespace cps {
 
 /// `000017.depth.exr` for the image `000017.png`, in the same folder.
@@ -25,7 +25,7 @@ std::filesystem::path dense_file(const std::filesystem::path& image, DenseLabel 
 /// Whether dense_file() gives this name to an image's label.
 bool is_dense_file(const std::filesystem::path& file);
 
-/// Type (float or uint16) and channels of the label's pixels, as the table lists them.
+/// Type (float or uint16) and channels of the label's pixels, as listed above.
 OIIO::ImageSpec dense_spec(DenseLabel label, ImageSize size);
 
 /// The bytes of the label's file: an EXR of floats, losslessly compressed (ZIP, scanlines), or a PNG. Throws
@@ -33,7 +33,7 @@ OIIO::ImageSpec dense_spec(DenseLabel label, ImageSize size);
 std::string encode_dense(const OIIO::ImageBuf& pixels, DenseLabel label);
 
 /// The pixels in such a file, as dense_spec() says. Throws std::runtime_error with one line, file first, when
-/// it cannot be read or does not hold what the table says.
+/// it cannot be read or does not hold what is listed above.
 OIIO::ImageBuf read_dense(const std::filesystem::path& file, DenseLabel label);
 
 }  // namespace cps

@@ -46,23 +46,28 @@ std::vector<DenseLabel> labels_of(const FrameRow& frame) {
   return labels;
 }
 
-/// Returns the dense labels that all images have.
-std::vector<DenseLabel> check_lists(const DatasetFiles& files) {
-  std::vector<DenseLabel> labels;
+void check_lists(const DatasetFiles& files) {
   std::unordered_set<std::string_view> listed;
   for (const DatasetImage& image : files.dataset.images) {
     const auto fail = [&](const char* what) { throw std::runtime_error(image.file.string() + ": " + what); };
     if (!listed.insert(image.file.native()).second)
       fail("stands in the split lists twice; cps verify says more");
-    if (!files.description) continue;
-    const FrameRow* frame = files.frame_of(image.file);
-    if (!frame) fail("is not in frames.csv; cps verify says more");
-    if (listed.size() == 1) labels = labels_of(*frame);
-    if (labels_of(*frame) != labels)
-      fail("has not the dense labels of other images, as frames.csv says; cps verify says more");
+    if (files.description && !files.frame_of(image.file)) fail("is not in frames.csv; cps verify says more");
   }
   if (files.dataset.images.empty())
     throw std::runtime_error(files.dataset.root.string() + ": its split lists are empty: nothing to export");
+}
+
+/// The dense labels that all images have. The lists must have been checked.
+std::vector<DenseLabel> common_dense_labels(const DatasetFiles& files) {
+  if (!files.description) return {};
+  const std::vector<DatasetImage>& images = files.dataset.images;
+  std::vector<DenseLabel> labels = labels_of(*files.frame_of(images.front().file));
+  for (const DatasetImage& image : images)
+    if (labels_of(*files.frame_of(image.file)) != labels)
+      throw std::runtime_error(
+          image.file.string() +
+          ": has not the dense labels of other images, as frames.csv says; cps verify says more");
   return labels;
 }
 
@@ -93,7 +98,8 @@ ExportSource read_export_source(const fs::path& root) try {
                       .sha256 = {},
                       .dense_labels = {}};
   if (!faults.empty()) throw std::runtime_error(faults.front());
-  source.dense_labels = check_lists(source.files);
+  check_lists(source.files);
+  source.dense_labels = common_dense_labels(source.files);
   if (source.files.description) source.name = source.files.description->value("name", source.name);
   source.credits = credits_of(source.files);
   source.sha256 = hash_of_tables(source.files);

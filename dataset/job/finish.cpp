@@ -33,8 +33,10 @@ Json conditions_json(const Plan& plan) {
 
 Json class_json(const SemanticClass& label) {
   Json json = {{"id", label.id}};
-  if (!label.name.empty()) json["name"] = label.name;
-  if (label.name.empty()) json.update(Json{{"object", label.object}, {"material", label.material}});
+  if (label.name.empty())
+    json.update(Json{{"object", label.object}, {"material", label.material}});
+  else
+    json["name"] = label.name;
   json["has_instances"] = label.has_instances;
   return json;
 }

@@ -165,9 +165,9 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     before = process_cpu_s();
     ImageTimes unused;
     std::atomic<std::int64_t> unused_labels_ns = 0;
-    const ViewRecord made = make_images(images_of(plan, v), whole, scratch.path, unused).record;
-    const auto dense =
-        make_dense_labels(plan.recipe, view, images_of(plan, v), scene, scratch.path, unused_labels_ns);
+    const ViewImages wanted = images_of(plan, v);
+    const ViewRecord made = make_images(wanted, whole, scratch.path, unused).record;
+    const auto dense = make_dense_labels(plan.recipe, view, wanted, scene, scratch.path, unused_labels_ns);
     of_size.cpu_s += process_cpu_s() - before;
     for (const auto& of_image : dense)
       for (const DenseRecord& label : of_image) of_size.bytes += static_cast<double>(label.bytes);

@@ -40,23 +40,16 @@ inline Plan small_plan(const std::vector<DenseLabel>& labels = {}) {
 inline OIIO::ImageBuf sphere_label(const Label& label, const FrameRow& frame, DenseLabel kind) {
   const CalibratedCamera camera{.name = {}, .pinhole = label.camera, .distortion = label.distortion};
   if (kind > DenseLabel::semantic) return bearing_label(camera, frame.gravity, kind);
+  OIIO::ImageBuf pixels(dense_spec(kind, {camera.pinhole.width, camera.pinhole.height}));
   if (kind >= DenseLabel::instance) {
-    OIIO::ImageBuf ids(
-        OIIO::ImageSpec(camera.pinhole.width, camera.pinhole.height, 1, OIIO::TypeDesc::UINT16));
-    auto* id = static_cast<std::uint16_t*>(ids.localpixels());
-    std::fill_n(id, ids.spec().image_pixels(), kind == DenseLabel::instance ? 1 : 7);
-    return ids;
+    std::fill_n(static_cast<std::uint16_t*>(pixels.localpixels()), pixels.spec().image_pixels(),
+                kind == DenseLabel::instance ? 1 : 7);
+    return pixels;
   }
   const OIIO::ImageBuf rays = bearing_label(camera, frame.gravity, DenseLabel::rays);
-  OIIO::ImageSpec spec = rays.spec();
-  if (kind != DenseLabel::normal) {
-    spec.nchannels = 1;
-    spec.channelnames = {kind == DenseLabel::depth ? "Z" : "Y"};
-  }
-  OIIO::ImageBuf pixels(spec);
   const auto* ray = static_cast<const float*>(rays.localpixels());
   auto* value = static_cast<float*>(pixels.localpixels());
-  for (std::size_t i = 0; i < spec.image_pixels(); ++i) {
+  for (std::size_t i = 0; i < pixels.spec().image_pixels(); ++i) {
     if (kind == DenseLabel::depth) value[i] = 10 * ray[3 * i + 2];
     if (kind == DenseLabel::distance) value[i] = 10;
     for (std::size_t c = 0; kind == DenseLabel::normal && c < 3; ++c) value[3 * i + c] = -ray[3 * i + c];

@@ -121,7 +121,9 @@ TEST_CASE("a full disk stops an export cleanly") {
     return;
   }
   check_refused(rendered.command("webdataset", rendered.out), 1, "No space left on device");
-  for (const auto& [name, bytes] : contents(rendered.out)) CHECK(contents(whole).at(name) == bytes);
+  // The first file has room on the disk, and is complete.
+  CHECK(contents(rendered.out) ==
+        std::map{std::pair{std::string("classes.json"), contents(whole).at("classes.json")}});
   CHECK(mount("none", rendered.out.c_str(), "tmpfs", MS_REMOUNT, "size=8m") == 0);
   const ProgramRun run = run_cps(rendered.command("webdataset", rendered.out));
   INFO(run.output);

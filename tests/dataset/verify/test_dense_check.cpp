@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "dataset/verify/verify.h"
+#include "tests/dataset/export/dense_dataset.h"
 #include "tests/dataset/small_dataset.h"
 
 using namespace cps;
@@ -10,13 +11,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<DenseLabel> all_labels = {DenseLabel::depth,    DenseLabel::distance, DenseLabel::normal,
-                                            DenseLabel::instance, DenseLabel::semantic, DenseLabel::rays,
-                                            DenseLabel::up,       DenseLabel::latitude};
-
 /// A labelled dataset, and one of its images.
 struct Labelled {
-  Plan plan = small_plan(all_labels);
+  Plan plan = small_plan({all_dense_labels.begin(), all_dense_labels.end()});
   TemporaryFolder folder = {};
   fs::path image = {};
 
