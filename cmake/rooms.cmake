@@ -24,12 +24,12 @@ endfunction()
 add_custom_target(cps_tests)
 add_custom_target(cps_benches)
 
-# cps_test(NAME SOURCES … LINK … [SLOW_MINUTES n] [ALONE]): one Catch2 program per room. SLOW_MINUTES adds the cases tagged
+# cps_test(NAME SOURCES … LINK … [SLOW_MINUTES n] [SLOW_ALONE]): one Catch2 program per room. SLOW_MINUTES adds the cases tagged
 # [slow] as a second test, labelled slow, which only `./dev test --all` runs; it takes about so many minutes on two cores, and
-# those that take longest begin first. Hidden cases ([.name]) run by name only. ALONE: uses all cores itself, or has a time
-# budget, so that no other test runs beside it.
+# those that take longest begin first. Hidden cases ([.name]) run by name only. SLOW_ALONE: the slow cases have time limits, so
+# that no other test runs beside them.
 function(cps_test name)
-  cmake_parse_arguments(TEST "OWN_HEADERS;ALONE" "SLOW_MINUTES" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(TEST "OWN_HEADERS;SLOW_ALONE" "SLOW_MINUTES" "SOURCES;LINK" ${ARGN})
   add_executable(test_${name} ${TEST_SOURCES})
   target_link_libraries(test_${name} PRIVATE cps_catch_main ${TEST_LINK})
   if(NOT TEST_OWN_HEADERS)
@@ -37,11 +37,11 @@ function(cps_test name)
   endif()
   add_dependencies(cps_tests test_${name})
   add_test(NAME ${name} COMMAND test_${name} "~[slow]~[.]" --warn NoTests)
-  set_tests_properties(${name} PROPERTIES TIMEOUT 1800 RUN_SERIAL ${TEST_ALONE})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
   if(TEST_SLOW_MINUTES)
     add_test(NAME ${name}_slow COMMAND test_${name} "[slow]~[.]" --warn NoTests)
     set_tests_properties(${name}_slow PROPERTIES LABELS slow COST ${TEST_SLOW_MINUTES} TIMEOUT 7200
-                         RUN_SERIAL ${TEST_ALONE})
+                         RUN_SERIAL ${TEST_SLOW_ALONE})
   endif()
 endfunction()
 

@@ -55,7 +55,8 @@ TEST_CASE("render noise through photograph() reveals nothing of the lens", "[slo
     }
 }
 
-TEST_CASE("the probe finds what other ways of resampling reveal", "[slow]") {
+// Two probes; a test of its own so that it runs beside the four above.
+TEST_CASE("the probe finds what other ways of resampling reveal", "[.control]") {
   // A picture of the output's size, 8 bit, bilinear: the spectrum of its noise is a map of the lens.
   const auto planted = guess_from_noise(WallLight::sunlit, 16, Resampler::bilinear_8bit);
   CHECK(planted[0].lower > harmless);
