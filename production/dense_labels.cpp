@@ -9,8 +9,8 @@
 #include "production/each_image.h"
 #include "production/view_render.h"
 #include "renderer/aov.h"
+#include "scenes/classes/semantic_classes.h"
 #include "scenes/rig.h"
-#include "scenes/semantic_classes.h"
 
 namespace cps {
 namespace {

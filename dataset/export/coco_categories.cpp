@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "scenes/cityscapes.h"
+#include "scenes/classes/cityscapes.h"
 
 namespace cps {
 namespace {

@@ -46,7 +46,7 @@ using Doubles = std::array<double, KernelRow::side>;
 struct Axes {
   alignas(32) Doubles half_difference, per_reach;  ///< of xx and yy; 1 / (half difference of the eigenvalues)
   alignas(32) Doubles share, lacking, per_lacking;  ///< of the wanted level: present, missing, 1/missing
-  alignas(32) std::array<Doubles, 2> eigenvalue;  ///< of the picture's conic, then of the noise's
+  alignas(32) std::array<Doubles, 2> eigenvalue;    ///< of the picture's conic, then of the noise's
   alignas(32) std::array<Doubles, 2> inverse_variance, per_inverse_variance;  ///< 1/c and c
 };
 

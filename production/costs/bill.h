@@ -21,7 +21,8 @@ struct Bill {
   RecipeCounts counts;
   Processes processes;
   double render_core_h = 0, images_core_h = 0, scenes_core_h = 0;
-  double cells_core_h = 0;  ///< of the light cache: at most, as if no view found any that another one had left
+  /// Of the light cache: at most, as if no view found any that another one had left.
+  double cells_core_h = 0;
   double start_core_h = 0;  ///< of all processes: to load scenes and draw lenses and places
   double core_h = 0;        ///< the sum of these
   /// Standard error of core_h: from the spread between conditions, or between views if larger.

@@ -10,7 +10,7 @@
 #include "numbers/angles.h"
 #include "sampler/places/lane_change.h"
 #include "sampler/splits.h"
-#include "scenes/clearance.h"
+#include "scenes/places/clearance.h"
 #include "scenes/wheels.h"
 
 namespace cps {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "scenes/classes/semantic_classes.h"
 #include "scenes/ego_bonnet.h"
-#include "scenes/semantic_classes.h"
 
 namespace cps {
 namespace {

@@ -8,7 +8,7 @@
 #include "random/counter_hash.h"
 #include "sampler/recipe/recipe.h"
 #include "scenes/city/city.h"
-#include "scenes/semantic_classes.h"
+#include "scenes/classes/semantic_classes.h"
 
 namespace cps {
 

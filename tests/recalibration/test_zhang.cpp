@@ -105,8 +105,8 @@ TEST_CASE("Zhang's method judges a true label by chi-squared, and a false one") 
   CHECK(p_value(sum, 9 * set.lenses) < 0.999);
 }
 
-// The first draw of the survey below. With 20 lenses, a right program fails one of the bounds of .001 in 2 % of all draws:
-// an earlier draw did, and a hundred further lenses showed that it was chance.
+// The first draw of the survey below. With 20 lenses, a right program fails one of the bounds of .001 in 2 %
+// of all draws: an earlier draw did, and a hundred further lenses showed that it was chance.
 TEST_CASE("Zhang's method finds the labels of rendered chessboards", "[slow]") {
   constexpr std::uint64_t seed = 1001;
   const RenderScene scene = sunlit_board();

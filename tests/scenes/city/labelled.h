@@ -4,9 +4,9 @@
 #include <string>
 
 #include "scenes/city/geometry/mesh.h"
+#include "scenes/classes/semantic_classes.h"
 #include "scenes/gltf_import.h"
 #include "scenes/scene_rays.h"
-#include "scenes/semantic_classes.h"
 
 namespace cps {
 

@@ -4,11 +4,11 @@
 #include <numbers>
 #include <set>
 
-#include "scenes/clearance.h"
 #include "scenes/drive/drive_search.h"
 #include "scenes/drive/file_frame.h"
 #include "scenes/drive/route_file.h"
 #include "scenes/drive/street_piece.h"
+#include "scenes/places/clearance.h"
 #include "scenes/routes.h"
 #include "tests/scenes/box.h"
 #include "tests/temporary_folder.h"

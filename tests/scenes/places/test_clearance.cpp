@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "scenes/clearance.h"
+#include "scenes/places/clearance.h"
 #include "tests/scenes/box.h"
 
 using namespace cps;

@@ -1,4 +1,4 @@
-#include "scenes/lit_view.h"
+#include "scenes/places/lit_view.h"
 
 #include <algorithm>
 #include <limits>

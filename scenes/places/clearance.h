@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/place_fault.h"
+#include "scenes/places/place_fault.h"
 #include "scenes/scene_rays.h"
 
 namespace cps {

@@ -1,4 +1,4 @@
-#include "scenes/clearance.h"
+#include "scenes/places/clearance.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scenes/place_fault.h"
+#include "scenes/places/place_fault.h"
 #include "scenes/scene_rays.h"
 
 namespace cps {

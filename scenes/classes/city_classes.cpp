@@ -1,10 +1,10 @@
-#include "scenes/city_classes.h"
+#include "scenes/classes/city_classes.h"
 
 #include <map>
 #include <string_view>
 #include <utility>
 
-#include "scenes/cityscapes.h"
+#include "scenes/classes/cityscapes.h"
 
 namespace cps {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/semantic_classes.h"
+#include "scenes/classes/semantic_classes.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "scenes/city_classes.h"
+#include "scenes/classes/city_classes.h"
 
 namespace cps {
 namespace {

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "scenes/lit_view.h"
+#include "scenes/places/lit_view.h"
 #include "scenes/surface_color.h"
 #include "tests/scenes/box.h"
 

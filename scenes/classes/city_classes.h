@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/semantic_classes.h"
+#include "scenes/classes/semantic_classes.h"
 
 namespace cps {
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include "scenes/classes/semantic_classes.h"
 #include "scenes/ego_bonnet.h"
-#include "scenes/semantic_classes.h"
 
 using namespace cps;
 

@@ -1,4 +1,4 @@
-#include "scenes/place_fault.h"
+#include "scenes/places/place_fault.h"
 
 namespace cps {
 
