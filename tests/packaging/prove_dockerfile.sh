@@ -3,6 +3,7 @@
 # and uses what comes out, as root and as ordinary users. Needs root, debootstrap, the net and 10 GB in TMPDIR; takes as long as a
 # build of everything. Exit status 77: cannot run here.
 #   CPS_MIRROR   Debian mirror; CPS_KEEP=1 keeps the roots
+#   CPS_CCACHE   folder in which compiled objects are kept from one proof to the next
 set -euo pipefail
 
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -21,9 +22,10 @@ fail() {
 # in_root ROOT USER FOLDER COMMAND: as a container runs it. The mounts go with the process.
 in_root() {
   # shellcheck disable=SC2016
-  unshare --mount --fork sh -euc '
+  CPS_CCACHE=${CPS_CCACHE:-} unshare --mount --fork sh -euc '
     mount --bind /dev "$1/dev"
     mount -t proc proc "$1/proc" 2>/dev/null || mount --rbind /proc "$1/proc"
+    [ -z "$CPS_CCACHE" ] || { mkdir -p "$CPS_CCACHE" "$1/root/.cache/ccache" && mount --bind "$CPS_CCACHE" "$1/root/.cache/ccache"; }
     exec chroot --userspec="$2" "$1" env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
       sh -c "cd \"\$0\" && $4" "$3"' sh "$1" "$2" "$3" "$4"
 }
