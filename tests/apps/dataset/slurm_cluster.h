@@ -35,7 +35,7 @@ struct SlurmCluster {
 
   /// Runs cluster.sh.
   int control(const std::string& what, const std::string& rest = "") const {
-    return shell(std::string(CPS_SOURCE) + "/tests/apps/slurm/cluster.sh " + what + " " + folder.string() +
+    return shell(std::string(CPS_SOURCE) + "/tests/apps/dataset/slurm/cluster.sh " + what + " " + folder.string() +
                  " " + rest);
   }
 };
