@@ -35,8 +35,8 @@ struct SlurmCluster {
 
   /// Runs cluster.sh.
   int control(const std::string& what, const std::string& rest = "") const {
-    return shell(std::string(CPS_SOURCE) + "/tests/apps/dataset/slurm/cluster.sh " + what + " " + folder.string() +
-                 " " + rest);
+    return shell(std::string(CPS_SOURCE) + "/tests/apps/dataset/slurm/cluster.sh " + what + " " +
+                 folder.string() + " " + rest);
   }
 };
 
