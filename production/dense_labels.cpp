@@ -87,8 +87,9 @@ OIIO::ImageBuf pixels_of(DenseLabel label, const SeenImage& seen, const Instance
     case DenseLabel::semantic:
       return looked_up(seen.layer(label), meaning.semantic, meaning.semantic_background);
     default:
-      return bearing_label({.name = {}, .pinhole = seen.camera.pinhole, .distortion = *seen.camera.lens},
-                           gravity_in_camera(seen.camera.world_from_camera.linear()), label);
+      return bearing_label(
+          {.name = {}, .pinhole = seen.camera.pinhole, .distortion = std::get<Distortion>(*seen.camera.lens)},
+          gravity_in_camera(seen.camera.world_from_camera.linear()), label);
   }
 }
 

@@ -91,7 +91,8 @@ void set_central(Aov aov, OIIO::ImageBuf& image, const TilePixel& at, const Cent
   }
 }
 
-/// Fills in a pixel whose central ray meets nothing: infinite distances; all else stays 0.
+/// Fills in a pixel whose central ray meets nothing, or where the lens shows nothing: infinite distances; all
+/// else stays 0.
 void set_nothing(Aov aov, OIIO::ImageBuf& image, const TilePixel& at) {
   if (aov == Aov::depth || aov == Aov::distance)
     set_floats(image, at, Vec3::Constant(std::numeric_limits<float>::infinity()));
@@ -127,13 +128,14 @@ struct AovTiles {
         if (!contains(at)) continue;
         const CameraPixel pixel = camera_pixel(source.rays, at.x, at.y);
         paths[i] = central_path(source, pixel, at.x, at.y);
-        centers[i] = camera_ray(source.rays, pixel, Eigen::Vector2f::Zero()).direction;
+        const CameraRay center = camera_ray(source.rays, pixel, Eigen::Vector2f::Zero());
+        centers[i] = center.is_seen ? center.direction : paths[i].ray.direction;
       }
       first_hits(scene, paths, hits);
       for (int i = 0; i < packet_size; ++i) {
-        if (!paths[i].alive) continue;
         const TilePixel at = tile_pixel(tile, first + i);
-        if (hits[i])
+        if (!contains(at)) continue;
+        if (paths[i].alive && hits[i])
           set_hit(at, hit_at_center(paths[i], hits[i], surface_of(paths[i], hits[i]), ids_of(scene, hits[i]),
                                     centers[i], optical_axis));
         else

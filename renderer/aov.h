@@ -12,7 +12,7 @@ namespace cps {
 /// Layers that a picture can have beside its radiance ("arbitrary output variables"). All but albedo hold the
 /// hit of the pixel's central ray, through the lens, and are never averaged.
 enum class Aov {
-  depth,     ///< Z: metres along the optical axis; infinite where nothing was hit
+  depth,     ///< Z: metres along the optical axis, negative behind a fisheye; infinite where nothing was hit
   distance,  ///< Y: metres along the ray; infinite where nothing was hit
   normal,    ///< X, Y, Z: unit vector in the world, with normal maps, towards the camera
   albedo,    ///< R, G, B: glTF's base colour, averaged over the pixel

@@ -19,7 +19,7 @@ Path path_along(const PathSource& source, const CameraPixel& pixel, const SobolS
   path.ray.id = first_ray_id(random);
   path.ray.from_viewer = true;
   path.cone_spread = source.footprint * ray.pixel_angle;
-  path.alive = true;
+  path.alive = ray.is_seen;
   return path;
 }
 

@@ -17,7 +17,7 @@ struct PathSource {
 /// Throws as make_camera_rays() does.
 PathSource make_path_source(const Camera& camera, const RenderOptions& options);
 
-/// The start of the path of a pixel's sample `index`.
+/// The start of the path of a pixel's sample `index`; not alive where the lens shows nothing.
 Path camera_path(const PathSource& source, const CameraPixel& pixel, int x, int y, int index);
 
 /// Offset of a pixel's central ray from the centre. An edge that two triangles share may run exactly through

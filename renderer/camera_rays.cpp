@@ -6,6 +6,7 @@
 
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/inverse/inverse.h"
+#include "distortion/models/unproject.h"
 
 namespace cps {
 namespace {
@@ -14,6 +15,33 @@ namespace {
 Pinhole with_margin(const Pinhole& camera, PixelFilter filter) {
   const int margin = static_cast<int>(std::ceil(filter_radius_px(filter) - 0.5f));
   return oversampled(camera, 1, margin);
+}
+
+void add_brown_conrady(CameraRays& rays, const Distortion& lens, PixelFilter filter) {
+  const FrameCertificate proof = certify_frame(lens, with_margin(rays.pinhole, filter), one_to_one);
+  if (!proof.valid()) throw std::runtime_error("lens: not one-to-one on the picture: " + proof.why);
+  rays.lens = lens;
+  rays.ideal_box = proof.rectangle;
+}
+
+void add_model(CameraRays& rays, const LensModel& lens, PixelFilter filter) {
+  const ModelCertificate proof = certify_frame({"", with_margin(rays.pinhole, filter), lens}, one_to_one);
+  const bool is_of_the_plane = std::holds_alternative<RationalLens>(lens);
+  if (!proof.valid && (is_of_the_plane || !(proof.region.max_angle_rad > 0)))
+    throw std::runtime_error("lens: not one-to-one on the picture: " + proof.why);
+  rays.model = lens;
+  rays.region = proof.region;
+}
+
+/// camera_ray() through a lens of another family than Brown–Conrady.
+CameraRay model_ray(const CameraRays& rays, const Eigen::Vector2d& distorted) {
+  const auto seen = unproject_with_jacobian(*rays.model, rays.region, distorted);
+  if (!seen) return {.is_seen = false};
+  CameraRay ray;
+  ray.direction = rays.world_from_camera * seen->ray.cast<float>();
+  const double solid_angle = seen->jacobian.col(0).cross(seen->jacobian.col(1)).norm();
+  ray.pixel_angle = static_cast<float>(std::sqrt(solid_angle / (rays.pinhole.fx * rays.pinhole.fy)));
+  return ray;
 }
 
 }  // namespace
@@ -26,13 +54,15 @@ CameraRays make_camera_rays(const Camera& camera, PixelFilter filter) {
   CameraRays rays{.position = camera.world_from_camera.translation().cast<float>(),
                   .world_from_camera = camera.world_from_camera.linear().cast<float>(),
                   .pinhole = pinhole,
-                  .lens = camera.lens,
-                  .ideal_box = {}};
-  if (camera.lens) {
-    const FrameCertificate proof = certify_frame(*camera.lens, with_margin(pinhole, filter), one_to_one);
-    if (!proof.valid()) throw std::runtime_error("lens: not one-to-one on the picture: " + proof.why);
-    rays.ideal_box = proof.rectangle;
-  }
+                  .lens = {},
+                  .ideal_box = {},
+                  .model = {},
+                  .region = {}};
+  if (!camera.lens) return rays;
+  if (const auto* lens = std::get_if<Distortion>(&*camera.lens))
+    add_brown_conrady(rays, *lens, filter);
+  else
+    add_model(rays, *camera.lens, filter);
   return rays;
 }
 
@@ -50,6 +80,7 @@ CameraPixel camera_pixel(const CameraRays& rays, int x, int y) {
 
 CameraRay camera_ray(const CameraRays& rays, const CameraPixel& pixel, const Eigen::Vector2f& offset_px) {
   const Eigen::Vector2d offset(offset_px.x() / rays.pinhole.fx, offset_px.y() / rays.pinhole.fy);
+  if (rays.model) return model_ray(rays, pixel.distorted + offset);
   Eigen::Vector2d ideal = pixel.ideal + offset;
   double area = 1 / (rays.pinhole.fx * rays.pinhole.fy);  // of a pixel on the ideal plane
   if (rays.lens) {

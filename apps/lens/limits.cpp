@@ -108,8 +108,8 @@ const Manual lens_limits_manual{
     .summary = "compute how far each coefficient of a lens may go",
     .synopsis = {"[--size WxH,...] [--hfov DEG,...] [--csv] [-o PLOT.svg]"},
     .description = R"(
-Prints, for each image size and H-FOV, the interval of each coefficient in which
-a lens keeps the bounds while the other coefficients are 0.
+Prints, for each image size and H-FOV, the interval of each Brown-Conrady
+coefficient in which a lens keeps the bounds while the others are 0.
 )",
     .examples = {{"cps lens limits --size 1392x512 --hfov 60,90", "prints the limits for two fields of view"},
                  {"cps lens limits -o limits.svg", "also plots them from 30 to 150 degrees"}},

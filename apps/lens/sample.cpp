@@ -66,8 +66,8 @@ const Manual lens_sample_manual{
     .synopsis =
         {"N --size WxH --hfov DEG [--label-first] [--seed S] [--lens_draw SCHEME] [--json] [-o PLOT.svg]"},
     .description = R"(
-Prints N drawn lenses with the principal point and the H-FOV that are left after
-the border-free crop.
+Prints N drawn Brown-Conrady lenses with the principal point and the H-FOV that
+are left after the border-free crop.
 )",
     .examples = {{"cps lens sample 100 --size 1920x1080 --hfov 90", "prints a hundred lenses as CSV"}},
     .see_also = {"cps lens", "cps generate"},

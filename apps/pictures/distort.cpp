@@ -8,9 +8,10 @@
 #include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
-#include "distortion/label_algebra.h"
+#include "distortion/models/model_view.h"
+#include "distortion/models/source_resolution.h"
+#include "distortion/models/warp_models.h"
 #include "distortion/warp/master_camera.h"
-#include "distortion/warp/view_fit.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/recipe/lens_keys.h"
@@ -42,7 +43,8 @@ po::options_description describe_all(DistortRequest& request) {
   auto add = options.add_options();
   add("hfov", po::value(&request.hfov_deg), "horizontal field of view of the input, degrees, 1 to 175");
   add("source", po::value(&request.source_file)->value_name("FILE"),
-      "instead of --hfov: file with the calibration of the input, whose distortion must be 0");
+      "instead of --hfov: file with the calibration of the input: without distortion, or a fisheye's, whose "
+      "pictures go from lens to lens at once");
   add("lens_draw", po::value(&request.scheme)->value_name("SCHEME"),
       "instead of --lens: draw the lens, by sequential, shape_prior or real_lenses");
   add("seed", po::value(&request.seed)->default_value(request.seed), "seed of a drawn lens");
@@ -69,25 +71,30 @@ void check_all(DistortRequest& request, const po::variables_map& values) {
   refuse_flags_with(request.lenses.fault());
 }
 
-/// The camera that took the input.
-Pinhole source_camera(const DistortRequest& request, const std::vector<PictureJob>& jobs) {
+/// The camera that took the input: without a lens, or with one of a family other than Brown–Conrady.
+ModelCamera source_camera(const DistortRequest& request, const std::vector<PictureJob>& jobs) {
   if (request.source_file.empty()) {
     const ImageSize size = first_size(jobs);
-    return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
+    return {"", pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg)), Distortion{}};
   }
-  const CalibratedCamera source = read_camera(request.source_file, "");
-  if (source.distortion != Distortion{})
+  const ModelCamera source = read_model_camera(request.source_file, "");
+  const auto* lens = std::get_if<Distortion>(&source.lens);
+  if (lens && *lens != Distortion{})
     throw std::runtime_error(request.source_file +
                              ": k1 k2 p1 p2 k3: are not 0; straighten the input first (cps undistort)");
-  return source.pinhole;
+  if (!lens && !request.scheme.empty())
+    throw std::runtime_error(fmt::format(
+        "{}: is a {} lens: --lens_draw needs an input without one; straighten it first (cps undistort)",
+        request.source_file, family_name(source.lens)));
+  return source;
 }
 
 /// The camera that the output shall look as if taken by, before any zoom.
-CalibratedCamera wanted_camera(const DistortRequest& request, const Pinhole& source) {
+ModelCamera wanted_camera(const DistortRequest& request, const Pinhole& source) {
   const ImageSize size =
       request.size.empty() ? ImageSize{source.width, source.height} : picture_size("size", request.size);
   if (!request.lens_file.empty()) {
-    CalibratedCamera camera = read_camera(request.lens_file, request.lens_camera);
+    const ModelCamera camera = read_model_camera(request.lens_file, request.lens_camera);
     return request.size.empty() ? camera : resized(camera, size.width, size.height);
   }
   const Pinhole base = pinhole_from_hfov(size.width, size.height, hfov_rad(source));
@@ -110,6 +117,55 @@ void report_resolution(const DistortRequest& request, double min_source_px) {
   std::cerr << line << "; the filter is widened there\n";
 }
 
+std::string zoom_remark(const ViewFit& fit, double unzoomed) {
+  return fmt::format(", zoom {:.4f}", fit.camera.fx / unzoomed);
+}
+
+void require_fit(const DistortRequest& request, const ViewFit& fit) {
+  if (!fit.valid) throw std::runtime_error(request.input + ": " + fit.why);
+}
+
+/// An input without a lens, shown through a Brown–Conrady lens.
+int bend(const DistortRequest& request, const std::vector<PictureJob>& jobs, const Pinhole& source,
+         CalibratedCamera output) {
+  const double unzoomed = output.pinhole.fx;
+  const ViewFit fit =
+      fit_distorted_view(source, output, request.sigma_px, request.lenses.principal_point.max_zoom);
+  require_fit(request, fit);
+  output.pinhole = fit.camera;
+  const FrameCertificate proof = certify_frame(output.distortion, output.pinhole, warpable);
+  if (!proof.valid()) throw std::runtime_error(request.lens_file + ": " + proof.why);
+  report_resolution(request, std::min(source.fx / fit.camera.fx, source.fy / fit.camera.fy) /
+                                 proof.certificate.max_eigenvalue);
+
+  const WarpOptions options = warp_options(request);
+  return resample_pictures(request, jobs, {"", source, Distortion{}}, model_camera(output),
+                           zoom_remark(fit, unzoomed), [&](const OIIO::ImageBuf& ideal) {
+                             return warp(ideal, source, output.distortion, output.pinhole, options);
+                           });
+}
+
+/// Any other pair of lenses.
+int bend(const DistortRequest& request, const std::vector<PictureJob>& jobs, const ModelCamera& source,
+         ModelCamera output) {
+  const ModelCertificate source_proof = certify_frame(source, warpable);
+  if (!(source_proof.region.max_angle_rad > 0))
+    throw std::runtime_error(request.source_file + ": " + source_proof.why);
+  const double unzoomed = output.pinhole.fx;
+  const ViewFit fit =
+      fit_distorted_view(source, output, request.sigma_px, request.lenses.principal_point.max_zoom);
+  require_fit(request, fit);
+  output.pinhole = fit.camera;
+  const ModelCertificate proof = certify_frame(output, warpable);
+  if (!proof.valid) throw std::runtime_error(request.lens_file + ": " + proof.why);
+  report_resolution(request, fewest_source_px(source, source_proof.region, output, proof.region));
+
+  const WarpOptions options = warp_options(request);
+  return resample_pictures(
+      request, jobs, source, output, zoom_remark(fit, unzoomed),
+      [&](const OIIO::ImageBuf& picture) { return warp_between(picture, source, output, options); });
+}
+
 }  // namespace
 
 const Manual distort_manual{
@@ -127,7 +183,8 @@ camera sees more than the input shows, the output is zoomed in until it has no
 black border; --max_zoom 1 forbids that. A drawn lens is cropped as by cps
 generate. All pictures of a folder, with their ids and depth, get the same size,
 lens and label. A source with twice the output's resolution keeps the sharpness
-equal all over the picture.
+equal all over the picture. The lens may be of any family that cps lens check
+reads.
 
 Pixel type, channels and file format stay as they are. If pictures of a folder
 fail, they are named, the others are written, and the exit status is 1.
@@ -150,24 +207,11 @@ int cps_distort(const Arguments& arguments) {
   const ThreadLimit threads(values);
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
-  const Pinhole source = source_camera(request, jobs);
-  CalibratedCamera output = wanted_camera(request, source);
-  const double unzoomed = output.pinhole.fx;
-  const ViewFit fit =
-      fit_distorted_view(source, output, request.sigma_px, request.lenses.principal_point.max_zoom);
-  if (!fit.valid) throw std::runtime_error(request.input + ": " + fit.why);
-  output.pinhole = fit.camera;
-  const FrameCertificate proof = certify_frame(output.distortion, output.pinhole, warpable);
-  if (!proof.valid()) throw std::runtime_error(request.lens_file + ": " + proof.why);
-  report_resolution(request, std::min(source.fx / fit.camera.fx, source.fy / fit.camera.fy) /
-                                 proof.certificate.max_eigenvalue);
-
-  const WarpOptions options = warp_options(request);
-  return resample_pictures(request, jobs, source, output,
-                           fmt::format(", zoom {:.4f}", fit.camera.fx / unzoomed),
-                           [&](const OIIO::ImageBuf& ideal) {
-                             return warp(ideal, source, output.distortion, output.pinhole, options);
-                           });
+  const ModelCamera source = source_camera(request, jobs), output = wanted_camera(request, source.pinhole);
+  const auto* lens = std::get_if<Distortion>(&output.lens);
+  if (lens && std::holds_alternative<Distortion>(source.lens))
+    return bend(request, jobs, source.pinhole, CalibratedCamera{output.name, output.pinhole, *lens});
+  return bend(request, jobs, source, output);
 }
 
 }  // namespace cps

@@ -6,6 +6,10 @@
 #include <stdexcept>
 
 #include "apps/threads.h"
+#include "distortion/models/seen_hfov.h"
+#include "distortion/models/warp_models.h"
+#include "files/files.h"
+#include "files/png.h"
 #include "numbers/angles.h"
 
 namespace po = boost::program_options;
@@ -96,6 +100,7 @@ namespace {
 void refuse_replacing_inputs(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
                              const fs::path& label) {
   std::vector<fs::path> inputs, outputs{label};
+  if (!request.valid_file.empty()) outputs.emplace_back(request.valid_file);
   for (const std::string& file : {request.lens_file, request.source_file})
     if (!file.empty()) inputs.emplace_back(file);
   for (const PictureJob& job : jobs) {
@@ -105,11 +110,30 @@ void refuse_replacing_inputs(const ResamplingRequest& request, const std::vector
   refuse_replacing(inputs, outputs);
 }
 
+/// Throws before any work if the label's format has no place for a family. (What it lacks for Brown–Conrady
+/// lenses, write_model_calibration() says.)
+void refuse_other_format(const ResamplingRequest& request, const LensModel& lens) {
+  if (std::holds_alternative<Distortion>(lens)) return;
+  if (!can_hold(calibration_format_from_string(request.label_format), lens))
+    throw std::runtime_error(
+        fmt::format("--label-format {}: cannot hold a {} lens: choose another, such as cps",
+                    request.label_format, family_name(lens)));
+}
+
+/// The label's H-FOV in words: 2·atan(W / 2fx) of a Brown–Conrady camera, of the others what they show.
+std::string hfov_text(const ModelCamera& camera) {
+  std::optional<double> angle_rad = hfov_rad(camera.pinhole);
+  if (!std::holds_alternative<Distortion>(camera.lens))
+    angle_rad = seen_hfov_rad(camera, certify_frame(camera, warpable).region);
+  return angle_rad ? fmt::format("H-FOV {:.2f} degrees", degrees(*angle_rad)) : "H-FOV not proved";
+}
+
 }  // namespace
 
 int resample_pictures(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
-                      const Pinhole& source, const CalibratedCamera& output, const std::string& remark,
+                      const ModelCamera& source, const ModelCamera& output, const std::string& remark,
                       const std::function<OIIO::ImageBuf(const OIIO::ImageBuf&)>& resample) {
+  refuse_other_format(request, output.lens);
   const Encoding encoding = encoding_from_string(request.encoding);
   const Resampling resampling = resampling_of(request);
   const fs::path label = label_path(request, jobs);
@@ -119,7 +143,8 @@ int resample_pictures(const ResamplingRequest& request, const std::vector<Pictur
   std::atomic<int> turned = 0, older = 0;
   const int failed = for_each_picture(jobs, [&](const PictureJob& job) {
     try {
-      const Picture picture = read_picture(job.input, encoding, resampling, source.width, source.height);
+      const Picture picture =
+          read_picture(job.input, encoding, resampling, source.pinhole.width, source.pinhole.height);
       write_picture(job.output, resample(picture.pixels), picture);
       turned += picture.was_turned ? 1 : 0;
     } catch (...) {
@@ -137,10 +162,11 @@ int resample_pictures(const ResamplingRequest& request, const std::vector<Pictur
         "and run again",
         label.string(), older.load()));
   if (made == 0) return 1;
-  write_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
-  fmt::print("{}: {} x {}, H-FOV {:.2f} degrees{}; {} pictures, {} failed\n", label.string(),
-             output.pinhole.width, output.pinhole.height, degrees(hfov_rad(output.pinhole)), remark, made,
-             failed);
+  write_model_calibration(label, calibration_format_from_string(request.label_format), std::vector{output});
+  if (!request.valid_file.empty())
+    write_file(request.valid_file, encode_png(valid_pixels(source, output, warp_options(request))));
+  fmt::print("{}: {} x {}, {}{}; {} pictures, {} failed\n", label.string(), output.pinhole.width,
+             output.pinhole.height, hfov_text(output), remark, made, failed);
   return failed > 0 ? 1 : 0;
 }
 

@@ -6,7 +6,7 @@
 
 #include "apps/pictures/picture_file.h"
 #include "apps/pictures/picture_jobs.h"
-#include "dataset/exchange/calibration_file.h"
+#include "dataset/exchange/model_calibration.h"
 #include "distortion/warp/warp.h"
 
 /// Options and files that `cps distort` and `cps undistort` share.
@@ -19,6 +19,7 @@ struct ResamplingRequest {
   std::string size;         ///< WxH, or empty
   std::string resampling = "footprint", encoding = "auto";
   std::string label_format = "cps", label_file;
+  std::string valid_file;  ///< mask of the pixels that the input shows; may be empty
   double sigma_px = 0.5;
 };
 
@@ -42,12 +43,13 @@ std::filesystem::path label_path(const ResamplingRequest& request, const std::ve
 /// How the request's pictures are resampled, at their own resolution; a coarse one is not refused.
 WarpOptions warp_options(const ResamplingRequest& request);
 
-/// Writes the label of `output`, then resamples every picture, which must have the size of `source`, and
-/// prints what was written, with `remark` after the H-FOV. Pictures that fail are named on stderr; the others
-/// are written. Returns the exit status: 1 if a picture failed. Throws std::runtime_error when the label
-/// cannot be written.
+/// Resamples every picture, which must have the size of `source`, writes the label of `output` and, if the
+/// request names one, the mask, and prints what was written, with `remark` after the H-FOV (of families other
+/// than Brown–Conrady: the angle really shown). Pictures that fail are named on stderr; the others are
+/// written. Returns the exit status: 1 if a picture failed. Throws std::runtime_error when the label cannot
+/// be written, before any work if its format cannot hold the lens' family.
 int resample_pictures(const ResamplingRequest& request, const std::vector<PictureJob>& jobs,
-                      const Pinhole& source, const CalibratedCamera& output, const std::string& remark,
+                      const ModelCamera& source, const ModelCamera& output, const std::string& remark,
                       const std::function<OIIO::ImageBuf(const OIIO::ImageBuf&)>& resample);
 
 }  // namespace cps

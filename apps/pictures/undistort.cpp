@@ -7,8 +7,8 @@
 #include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
-#include "distortion/label_algebra.h"
-#include "distortion/warp/view_fit.h"
+#include "distortion/models/model_view.h"
+#include "distortion/models/warp_models.h"
 #include "numbers/angles.h"
 
 namespace po = boost::program_options;
@@ -32,6 +32,8 @@ po::options_description describe_all(UndistortRequest& request) {
       "instead of --keep: horizontal field of view of the output, degrees, 1 to 175");
   add("rescale", po::bool_switch(&request.rescale),
       "accept pictures of another size than the calibration's, and scale the calibration to them");
+  add("valid", po::value(&request.valid_file)->value_name("FILE"),
+      "also write which pixels of the output the input shows, as a .png: 255, or 0 where it is black");
   return options;
 }
 
@@ -51,8 +53,8 @@ void check_all(const UndistortRequest& request, const po::variables_map& values)
     throw po::error("--hfov: must lie between 1 and 175 degrees");
 }
 
-CalibratedCamera source_camera(const UndistortRequest& request, const std::vector<PictureJob>& jobs) {
-  const CalibratedCamera camera = read_camera(request.lens_file, request.lens_camera);
+ModelCamera source_camera(const UndistortRequest& request, const std::vector<PictureJob>& jobs) {
+  const ModelCamera camera = read_model_camera(request.lens_file, request.lens_camera);
   if (!request.rescale) return camera;
   const ImageSize size = first_size(jobs);
   const Pinhole& own = camera.pinhole;
@@ -65,7 +67,16 @@ CalibratedCamera source_camera(const UndistortRequest& request, const std::vecto
   return resized(camera, size.width, size.height);
 }
 
-Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& source) {
+/// Throws std::runtime_error for a lens that is proved nowhere; names on stderr what is left black of one
+/// that is not proved everywhere.
+void require_proof(const UndistortRequest& request, bool is_usable, bool is_whole, const std::string& why) {
+  if (!is_usable) throw std::runtime_error(request.lens_file + ": " + why);
+  if (!is_whole) fmt::print(stderr, "{}: {}; the part beyond is left black\n", request.lens_file, why);
+}
+
+/// `Camera`: CalibratedCamera, whose pictures take the same way as ever, or ModelCamera.
+template <typename Camera>
+Pinhole output_camera(const UndistortRequest& request, const Camera& source) {
   const ImageSize size = request.size.empty() ? ImageSize{source.pinhole.width, source.pinhole.height}
                                               : picture_size("size", request.size);
   if (request.hfov_deg > 0) return pinhole_from_hfov(size.width, size.height, radians(request.hfov_deg));
@@ -73,6 +84,35 @@ Pinhole output_camera(const UndistortRequest& request, const CalibratedCamera& s
       fit_straight_view(source, keep_from_string(request.keep), size.width, size.height, request.sigma_px);
   if (!fit.valid) throw std::runtime_error(request.lens_file + ": " + fit.why);
   return fit.camera;
+}
+
+WarpOptions uncovered_options(const UndistortRequest& request) {
+  WarpOptions options = warp_options(request);
+  options.require_coverage = false;
+  return options;
+}
+
+int straighten(const UndistortRequest& request, const std::vector<PictureJob>& jobs,
+               const CalibratedCamera& source) {
+  const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
+  require_proof(request, proof.certificate.valid, proof.valid(), proof.why);
+  const ModelCamera output{source.name, output_camera(request, source), Distortion{}};
+  const WarpOptions options = uncovered_options(request);
+  return resample_pictures(
+      request, jobs, model_camera(source), output, "", [&](const OIIO::ImageBuf& distorted) {
+        return unwarp(distorted, source.pinhole, source.distortion, output.pinhole, options);
+      });
+}
+
+int straighten(const UndistortRequest& request, const std::vector<PictureJob>& jobs,
+               const ModelCamera& source) {
+  const ModelCertificate proof = certify_frame(source, warpable);
+  require_proof(request, proof.region.max_angle_rad > 0, proof.valid, proof.why);
+  const ModelCamera output{source.name, output_camera(request, source), Distortion{}};
+  const WarpOptions options = uncovered_options(request);
+  return resample_pictures(request, jobs, source, output, "", [&](const OIIO::ImageBuf& distorted) {
+    return warp_between(distorted, source, output, options);
+  });
 }
 
 }  // namespace
@@ -86,12 +126,18 @@ Removes the distortion of pictures and writes the label of the pinhole camera
 that they then have: straight lines of the world become straight.
 
 The output has square pixels and a centred principal point, except with --keep
-camera. What the input does not show is black (0).
+camera. What the input does not show is black (0); --valid writes a mask of it.
+
+The lens may be of any family that cps lens check reads. A fisheye shows more
+than a straight picture can: --keep valid shows at most 160 degrees of it, and
+--keep all is refused from 85 degrees off the axis on. --hfov chooses less.
 
 Pixel type, channels and file format stay as they are. If pictures of a folder
 fail, they are named, the others are written, and the exit status is 1.
 )",
-    .examples = {{"cps undistort photos/ -o straight/ --lens camera.yml", "straightens a folder of photos"}},
+    .examples = {{"cps undistort photos/ -o straight/ --lens camera.yml", "straightens a folder of photos"},
+                 {"cps undistort fisheye/ -o straight/ --lens fisheye.yml --hfov 110 --valid valid.png",
+                  "straightens the middle of a fisheye's pictures, with a mask"}},
     .see_also = {"cps distort", "cps lens check"},
 };
 
@@ -106,18 +152,10 @@ int cps_undistort(const Arguments& arguments) {
   const ThreadLimit threads(values);
 
   const std::vector<PictureJob> jobs = picture_jobs(request.input, request.output);
-  const CalibratedCamera source = source_camera(request, jobs);
-  const FrameCertificate proof = certify_frame(source.distortion, source.pinhole, warpable);
-  if (!proof.certificate.valid) throw std::runtime_error(request.lens_file + ": " + proof.why);
-  if (!proof.valid())
-    fmt::print(stderr, "{}: {}; the part beyond is left black\n", request.lens_file, proof.why);
-  const CalibratedCamera output{source.name, output_camera(request, source), {}};
-
-  WarpOptions options = warp_options(request);
-  options.require_coverage = false;
-  return resample_pictures(request, jobs, source.pinhole, output, "", [&](const OIIO::ImageBuf& distorted) {
-    return unwarp(distorted, source.pinhole, source.distortion, output.pinhole, options);
-  });
+  const ModelCamera source = source_camera(request, jobs);
+  if (const auto* lens = std::get_if<Distortion>(&source.lens))
+    return straighten(request, jobs, CalibratedCamera{source.name, source.pinhole, *lens});
+  return straighten(request, jobs, source);
 }
 
 }  // namespace cps

@@ -5,39 +5,17 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "apps/options.h"
-#include "apps/render/text_options.h"
-#include "dataset/exchange/calibration_file.h"
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/crop/crop.h"
-#include "distortion/label_algebra.h"
+#include "distortion/models/seen_hfov.h"
 #include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
+#include "numbers/angles.h"
 
 namespace po = boost::program_options;
 
 namespace cps {
 namespace {
-
-bool is_coefficients(const std::string& text) {
-  return text.size() > 2 && (text[0] == 'k' || text[0] == 'p') && text[2] == '=';
-}
-
-/// "k1=…,p2=…", in any order; missing coefficients are 0.
-Distortion parse_coefficients(const std::string& text) {
-  Distortion lens;
-  const std::pair<const char*, double*> names[] = {
-      {"k1=", &lens.k1}, {"k2=", &lens.k2}, {"k3=", &lens.k3}, {"p1=", &lens.p1}, {"p2=", &lens.p2}};
-  for (const auto& part : flag_value<std::vector<std::string>>("lens", text)) {
-    double* target = nullptr;
-    for (const auto& [name, coefficient] : names)
-      if (part.starts_with(name)) target = coefficient;
-    if (!target)
-      throw po::error("--lens " + text + ": '" + part + "' must be k1=, k2=, k3=, p1= or p2= and a number");
-    *target = parse_numbers("lens", part.substr(3), 1, "coefficients like k1=-0.2,k2=0.05")[0];
-  }
-  return lens;
-}
 
 /// A master around the rectangle that the picture sees, with the picture's resolution where the lens does not
 /// magnify.
@@ -60,29 +38,67 @@ LensView cropped_view(const Distortion& lens, const Camera& ideal) {
   if (!crop.valid) throw std::runtime_error("--lens: " + crop.why);
   return {.seen = {.world_from_camera = ideal.world_from_camera, .pinhole = crop.camera, .lens = lens},
           .master = master_camera(base, WarpOptions{}, CertificateOptions{}.min_eigenvalue),
-          .ideal_box = frame_on_plane(base)};
+          .ideal_box = frame_on_plane(base),
+          .shown_hfov_deg = degrees(hfov_rad(crop.camera))};
+}
+
+/// The calibration's camera, in the size that is asked for.
+ModelCamera calibrated_camera(const RenderRequest& request, const Camera& ideal) {
+  if (request.hfov_deg) throw po::error("--hfov: leave it out; the --lens file defines the field of view");
+  const ModelCamera camera{
+      .name = {}, .pinhole = *request.lens_choice->calibrated, .lens = request.lens_choice->lens};
+  return request.size ? resized(camera, ideal.pinhole.width, ideal.pinhole.height) : camera;
 }
 
 LensView calibrated_view(const RenderRequest& request, const Camera& ideal) {
-  const std::filesystem::path file = *request.lens;
-  CalibratedCamera calibrated = read_camera(file, request.lens_camera.value_or(""));
-  if (request.hfov_deg) throw po::error("--hfov: leave it out; the --lens file defines the field of view");
-  if (request.size) calibrated = resized(calibrated, ideal.pinhole.width, ideal.pinhole.height);
-  const FrameCertificate proof = certify_frame(calibrated.distortion, calibrated.pinhole, one_to_one);
-  if (!proof.valid()) throw std::runtime_error(file.string() + ": " + proof.why);
-  return {.seen = {.world_from_camera = ideal.world_from_camera,
-                   .pinhole = calibrated.pinhole,
-                   .lens = calibrated.distortion},
-          .master = master_around(proof, calibrated.pinhole),
-          .ideal_box = proof.rectangle};
+  const ModelCamera camera = calibrated_camera(request, ideal);
+  const auto& lens = std::get<Distortion>(camera.lens);
+  const FrameCertificate proof = certify_frame(lens, camera.pinhole, one_to_one);
+  if (!proof.valid()) throw std::runtime_error(*request.lens + ": " + proof.why);
+  return {.seen = {.world_from_camera = ideal.world_from_camera, .pinhole = camera.pinhole, .lens = lens},
+          .master = master_around(proof, camera.pinhole),
+          .ideal_box = proof.rectangle,
+          .shown_hfov_deg = degrees(hfov_rad(camera.pinhole))};
+}
+
+/// The camera whose parameters --lens gives: it shows --hfov, else the ideal camera's angle.
+ModelCamera parameter_camera(const RenderRequest& request, const Camera& ideal) {
+  const double wanted_rad = request.hfov_deg ? radians(*request.hfov_deg) : hfov_rad(ideal.pinhole);
+  const std::optional<ModelCamera> camera =
+      camera_from_seen_hfov(request.lens_choice->lens, ideal.pinhole.width, ideal.pinhole.height, wanted_rad);
+  if (!camera)
+    throw std::runtime_error(
+        fmt::format("--lens {}: is not one-to-one over an H-FOV of {:.4g} degrees: choose a smaller --hfov",
+                    *request.lens, degrees(wanted_rad)));
+  return *camera;
+}
+
+/// A view through a lens of another family than Brown–Conrady.
+LensView model_view(const RenderRequest& request, const Camera& ideal) {
+  const ModelCamera camera =
+      request.lens_choice->calibrated ? calibrated_camera(request, ideal) : parameter_camera(request, ideal);
+  const ModelCertificate proof = certify_frame(camera, one_to_one);
+  if (!proof.valid && std::holds_alternative<RationalLens>(camera.lens))
+    throw std::runtime_error(*request.lens + ": " + proof.why);
+  if (!proof.valid) fmt::print(stderr, "{}: {}; the part beyond is left black\n", *request.lens, proof.why);
+  const std::optional<double> shown_rad = seen_hfov_rad(camera, proof.region);
+  LensView view{
+      .seen = {.world_from_camera = ideal.world_from_camera, .pinhole = camera.pinhole, .lens = camera.lens},
+      .master = {},
+      .ideal_box = {},
+      .shown_hfov_deg = {}};
+  if (shown_rad) view.shown_hfov_deg = degrees(*shown_rad);
+  return view;
 }
 
 }  // namespace
 
 LensView lens_view(const RenderRequest& request, const Camera& ideal) {
-  if (!request.lens) return {.seen = ideal, .master = {}, .ideal_box = {}};
-  if (is_coefficients(*request.lens)) return cropped_view(parse_coefficients(*request.lens), ideal);
-  return calibrated_view(request, ideal);
+  if (!request.lens) return {.seen = ideal, .master = {}, .ideal_box = {}, .shown_hfov_deg = {}};
+  const LensChoice& named = *request.lens_choice;
+  if (!named.is_brown_conrady()) return model_view(request, ideal);
+  return named.calibrated ? calibrated_view(request, ideal)
+                          : cropped_view(std::get<Distortion>(named.lens), ideal);
 }
 
 OIIO::ImageBuf render_through(const RenderScene& scene, const LensView& view, const RenderRequest& request,
@@ -91,7 +107,8 @@ OIIO::ImageBuf render_through(const RenderScene& scene, const LensView& view, co
     return render(scene, view.seen, request.render, summary, variance);
   const Camera master{.world_from_camera = view.seen.world_from_camera, .pinhole = view.master};
   const OIIO::ImageBuf image = render(scene, master, request.render, summary);
-  return warp(image, view.master, *view.seen.lens, view.seen.pinhole, {.box = view.ideal_box});
+  return warp(image, view.master, std::get<Distortion>(*view.seen.lens), view.seen.pinhole,
+              {.box = view.ideal_box});
 }
 
 }  // namespace cps

@@ -13,8 +13,10 @@
 #include "apps/render/view.h"
 #include "apps/threads.h"
 #include "apps/verbs.h"
-#include "numbers/angles.h"
+#include "files/files.h"
+#include "files/png.h"
 #include "renderer/aov.h"
+#include "renderer/camera_mask.h"
 #include "renderer/memory_estimate.h"
 #include "scenes/diffuse_materials.h"
 #include "scenes/gltf_import.h"
@@ -128,7 +130,10 @@ prints the error against another render while the picture refines.
 )",
     .examples = {{"cps render city.glb -o view.png --hfov 90 --size 960x540", "renders from the first lane"},
                  {"cps render city.glb -o view.exr --lens k1=-0.2,k2=0.03 --aov depth,normal,instance",
-                  "renders through a lens, with three layers"}},
+                  "renders through a lens, with three layers"},
+                 {"cps render city.glb -o view.png --lens kannala_brandt:k1=-0.02 --hfov 190 --size 800x800 "
+                  "--valid mask.png",
+                  "renders through a fisheye, with a mask of what it sees"}},
     .see_also = {"cps city", "cps generate"},
 };
 
@@ -150,6 +155,7 @@ int cps_render(const Arguments& arguments) {
     replay(*scene.ready, view.seen, request.render, *request.replay, scene.material_names, std::cout);
     return 0;
   }
+  if (!request.valid.empty()) write_file(request.valid, encode_png(seen_pixels(view.seen)));
   show_progress(request.render);
   RenderSummary summary;
   OIIO::ImageBuf variance;
@@ -162,7 +168,7 @@ int cps_render(const Arguments& arguments) {
   if (wanted.variance) layers.push_back({"variance", std::move(variance)});
   const std::optional<double> ev = write_picture(request, std::move(picture), std::move(layers));
   std::cout << request.output.string() << ": " << summary.brief();
-  if (view.seen.lens) std::cout << ", H-FOV " << degrees(hfov_rad(view.seen.pinhole)) << " deg";
+  if (view.shown_hfov_deg) std::cout << ", H-FOV " << *view.shown_hfov_deg << " deg";
   if (ev) std::cout << ", exposure " << std::round(*ev * 100) / 100 << " EV";
   std::cout << "\n";
   return 0;

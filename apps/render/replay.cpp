@@ -46,6 +46,7 @@ void replay(const RenderScene& scene, const Camera& camera, const RenderOptions&
   Path paths[packet_size];
   paths[0] = camera_path(source, camera_pixel(source.rays, x, y), x, y, sample);
   paths[0].record = &record;
+  if (!paths[0].alive) record.end = "the lens shows nothing there";
   fmt::print(out, "pixel {}, {}, sample {}: from {} towards {}\n", x, y, sample, text(paths[0].ray.origin),
              text(paths[0].ray.direction));
   trace_packet(scene, options, paths);

@@ -36,19 +36,21 @@ void describe_camera(RenderRequest& request, po::options_description_easy_init a
   add("camera", optional(request.camera)->value_name("NAME"),
       "take pose and field of view of a glTF camera: its name or number");
   add("hfov", optional(request.hfov_deg),
-      "horizontal field of view, degrees; with coefficients as --lens, before the crop [the --camera's, or "
-      "70]");
+      "horizontal field of view, degrees; with k1=.. as --lens, before the crop; with FAMILY:.., what the "
+      "picture shows, which may be 180 and more [the --camera's, or 70]");
   add("position", optional(request.position)->value_name("X,Y,Z"),
       "X,Y,Z of the camera, metres, y up [the first lane, or a view of the whole scene]");
   add("look-at", optional(request.look_at)->value_name("X,Y,Z"),
       "X,Y,Z of the point in the middle of the picture, metres");
   add("lens", optional(request.lens)->value_name("LENS"),
       "a calibration file, or coefficients k1=..,k2=..,k3=..,p1=..,p2=..: renders an undistorted master and "
-      "warps it, as for a dataset");
+      "warps it, as for a dataset. FAMILY:name=value,.. is a lens of another family: rational, "
+      "kannala_brandt, unified_spherical, eucm or double_sphere");
   add("lens-camera", optional(request.lens_camera)->value_name("NAME"),
       "name of the camera in a --lens file with several");
   add("lens-in-camera", po::bool_switch(&request.lens_in_camera),
-      "trace each ray through the lens instead of warping a master: exact, but slower to converge");
+      "trace each ray through the lens instead of warping a master: exact, but slower to converge; families "
+      "other than brown_conrady are always traced so");
 }
 
 void describe_sampling(RenderRequest& request, po::options_description_easy_init add) {
@@ -82,6 +84,8 @@ void describe_output(RenderRequest& request, po::options_description_easy_init a
   add("aov", optional(request.aov)->value_name("LIST"),
       "add layers to the .exr: all, or a list of depth,distance,normal,albedo,position,instance,material,"
       "variance");
+  add("valid", path_value(request.valid),
+      "also write which pixels the lens shows, as a .png: 255, or 0 where a fisheye sees nothing");
   add("replay", optional(request.replay)->value_name("X,Y,S"),
       "X,Y,S: print the path of sample S of pixel X,Y vertex by vertex instead of rendering");
   add("reference", optional(request.reference)->value_name("FILE"),
@@ -104,11 +108,29 @@ void check_output(const RenderRequest& request) {
   if (kind != ".png" && kind != ".exr")
     throw po::error("--out " + request.output.string() + ": must end in .png or .exr");
   if (request.aov && kind != ".exr") throw po::error("--aov: needs an .exr as --out");
+  if (request.valid == request.output) throw po::error("--valid: names the same file as --out; name another");
+}
+
+void read_lens(RenderRequest& request) {
+  if (!request.lens) return;
+  request.lens_choice = lens_choice(*request.lens, request.lens_camera.value_or(""));
+  // No flat master holds what a fisheye sees.
+  if (!request.lens_choice->is_brown_conrady()) request.lens_in_camera = true;
+}
+
+void check_hfov(const RenderRequest& request) {
+  if (!request.hfov_deg) return;
+  const bool is_ideal = !request.lens_choice || request.lens_choice->is_brown_conrady();
+  const double limit_deg = is_ideal ? 180 : 360;
+  if (!(*request.hfov_deg > 0 && *request.hfov_deg < limit_deg))
+    throw po::error("--hfov: must lie between 0 and " + std::to_string(static_cast<int>(limit_deg)) +
+                    " degrees");
 }
 
 void check_lens(const RenderRequest& request) {
   if (!request.lens && (request.lens_in_camera || request.lens_camera))
     throw po::error("--lens-in-camera, --lens-camera: need --lens");
+  if (!request.lens && !request.valid.empty()) throw po::error("--valid: needs --lens");
   const bool by_warp = request.lens && !request.lens_in_camera;
   if (by_warp && (request.replay || request.reference))
     throw po::error("--replay, --reference: a lens needs --lens-in-camera");
@@ -134,8 +156,6 @@ void finish(RenderRequest& request) {
   request.render.filter = filter_from_string(request.filter);
   if (const std::string fault = request.render.fault(); !fault.empty()) throw po::error("--" + fault);
   request.light.daylight = daylight_of(request.light);
-  if (request.hfov_deg && !(*request.hfov_deg > 0 && *request.hfov_deg < 180))
-    throw po::error("--hfov: must lie between 0 and 180 degrees");
   if (!(request.memory_gib >= 0)) throw po::error("--memory: must be 0 or more");
   if (request.exposure_ev && !(std::abs(*request.exposure_ev) <= 64))
     throw po::error("--exposure: must lie in [-64, 64]");
@@ -143,6 +163,8 @@ void finish(RenderRequest& request) {
   if (request.materials != "all" && request.materials != "diffuse")
     throw po::error("--materials " + request.materials + ": must be all or diffuse");
   check_output(request);
+  read_lens(request);
+  check_hfov(request);
   check_lens(request);
 }
 

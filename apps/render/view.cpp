@@ -63,7 +63,10 @@ const SceneCamera& find_camera(const Scene& scene, const std::string& wanted) {
 Camera ideal_camera(const RenderRequest& request, const Scene& scene) {
   const SceneCamera* gltf = request.camera ? &find_camera(scene, *request.camera) : nullptr;
   const ImageSize size = parse_size(request.size.value_or("1392x512"));
-  double hfov = radians(request.hfov_deg.value_or(70));
+  // No plane shows what a fisheye does; the ideal camera then stands for its pose and size alone.
+  constexpr double widest_deg = 170;
+  const double hfov_deg = request.hfov_deg.value_or(70);
+  double hfov = radians(hfov_deg < 180 ? hfov_deg : widest_deg);
   if (gltf && !request.hfov_deg)
     hfov = 2 * std::atan(std::tan(0.5 * gltf->vfov_rad) * size.width / size.height);
   Camera camera;

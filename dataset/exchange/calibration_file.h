@@ -20,31 +20,18 @@ CalibrationFormat calibration_format_from_string(const std::string& name);
 /// The file name that readers of the format expect: "cameras.txt", …
 std::string usual_file_name(CalibrationFormat format);
 
-/// A camera that the file names but whose numbers cannot be read as Brown–Conrady.
+/// A camera that the file names but whose numbers cannot be read.
 struct UnreadCamera {
   std::string name;
   std::string fault;  ///< one line, `<file>: <camera or field>: <what is wrong>`
 };
 
-/// The cameras of a file. One that cannot be read does not hide the others.
-struct CalibrationFile {
-  std::vector<CalibratedCamera> cameras = {};
-  std::vector<UnreadCamera> unread = {};
-};
-
-/// The cameras of a file of any of these formats, told apart by their contents. Centres of pixels are
-/// converted to ours. A camera that the format leaves nameless is named after the file. `size`: of the
-/// pictures, for formats that do not say it (KITTI odometry, ORB-SLAM 2). Throws std::runtime_error in one
-/// line, `<file>: <camera or field>: <what is wrong>`, if no camera can be read; refuses unknown formats,
-/// models that are not Brown–Conrady, non-zero coefficients beyond k1 k2 k3 p1 p2, skew, keys that appear
-/// twice, numbers that are not finite or beyond any lens, absurd sizes, a principal point outside the image.
-CalibrationFile read_calibration_file(const std::filesystem::path& file, ImageSize size = {0, 0});
-
-/// All cameras of the file; throws as well if one of them cannot be read.
+/// All Brown–Conrady cameras of the file, read as read_model_calibration_file() (model_calibration.h) does.
+/// Throws as it does, and also if one of the cameras cannot be read or is of another lens family.
 std::vector<CalibratedCamera> read_calibration(const std::filesystem::path& file, ImageSize size = {0, 0});
 
-/// The camera of this name, whatever the file's other cameras are; without a name, the only one. Throws
-/// std::runtime_error listing the names that there are.
+/// The Brown–Conrady camera of this name, whatever the file's other cameras are; without a name, the only
+/// one. Throws std::runtime_error listing the names that there are, or naming the lens family that it is of.
 CalibratedCamera read_camera(const std::filesystem::path& file, const std::string& name,
                              ImageSize size = {0, 0});
 

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <pugixml.hpp>
@@ -63,17 +64,24 @@ nlohmann::json scalar(const std::string& text) {
   return text;
 }
 
+std::string one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
+
 nlohmann::json json_from_json(const std::string& text, const std::string& file) try {
   std::vector<std::set<std::string>> open_objects;
-  const auto refuse_twice = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+  const auto refuse = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
+    if (depth > max_depth) throw std::runtime_error(file + ": is nested too deeply");
     if (event == Event::object_start) open_objects.emplace_back();
     if (event == Event::object_end) open_objects.pop_back();
     if (event == Event::key && !open_objects.back().insert(parsed.get<std::string>()).second)
       throw std::runtime_error(file + ": " + parsed.get<std::string>() + ": appears twice: keep one");
     return true;
   };
-  return nlohmann::json::parse(text, refuse_twice);
+  return nlohmann::json::parse(text, refuse);
 } catch (const nlohmann::json::exception& error) {
   throw std::runtime_error(file + ": is not JSON: " + error.what());
 }

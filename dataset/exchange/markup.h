@@ -23,4 +23,7 @@ nlohmann::json json_from_xml(const std::string& text, const std::string& file);
 /// before another digit ("02") stays text: it is a name.
 nlohmann::json scalar(const std::string& text);
 
+/// The text with spaces for line breaks and other control characters: messages quote the file.
+std::string one_line(std::string text);
+
 }  // namespace cps

@@ -79,6 +79,8 @@ nlohmann::ordered_json to_json(const Label& label, int schema) {
 Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys reader{json, file};
   const int schema = schema_of(reader);
+  if (json.contains("params"))
+    reader.fail("model", "is " + reader.text("model") + ": only datasets of brown_conrady lenses are read");
   Label label;
   const CalibratedCamera calibrated = camera_from_json(reader);
   check_camera(calibrated.pinhole, reader);

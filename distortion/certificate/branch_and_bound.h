@@ -19,6 +19,7 @@ struct MinimumSearch {
   /// The search goes on while the minimum could lie on either side of this value. With an infinite tolerance
   /// it stops at the first attained value below it.
   double threshold = -std::numeric_limits<double>::infinity();
+  int max_halvings = 1024;  ///< of intervals in all
 };
 
 /// Smallest value on [low, high] by branch and bound. `lower_bound(a, b, enough)` bounds the function from
@@ -32,7 +33,7 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
     double low, high;
     int depth;
   };
-  constexpr int max_depth = 48, max_cells = 1024;
+  constexpr int max_depth = 48;
   EnclosedMinimum minimum;
   const auto try_value = [&](double x) {
     if (const double v = value(x); v < minimum.attained) minimum.attained = v, minimum.argument = x;
@@ -54,7 +55,7 @@ EnclosedMinimum smallest_value(double low, double high, const MinimumSearch& sea
     }
     const Cell cell = open[--count];
     const double bound = lower_bound(cell.low, cell.high, enough());
-    if (bound >= enough() || cell.depth == max_depth || ++visited > max_cells) {
+    if (bound >= enough() || cell.depth == max_depth || ++visited > search.max_halvings) {
       minimum.proved = std::min(minimum.proved, bound);
       continue;
     }

@@ -1,29 +1,8 @@
 #include "distortion/certificate/frame_certificate.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "distortion/certificate/rim_gauge.h"
+#include "distortion/certificate/grow_rectangle.h"
 
 namespace cps {
-namespace {
-
-Eigen::AlignedBox2d scaled_box(const Eigen::AlignedBox2d& box, double scale) {
-  return {scale * box.min(), scale * box.max()};
-}
-
-bool contains_principal_point(const Eigen::AlignedBox2d& box) {
-  return (box.min().array() < 0).all() && (box.max().array() > 0).all();
-}
-
-FrameCertificate refused(FrameCertificate result, const std::string& why) {
-  result.why = why;
-  return result;
-}
-
-}  // namespace
 
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
                                const CertificateOptions& options) {
@@ -32,55 +11,7 @@ FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
 
 FrameCertificate certify_frame(const Distortion& lens, const Pinhole& camera,
                                const Eigen::AlignedBox2d& shape, const CertificateOptions& options) {
-  FrameCertificate result;
-  if (camera.width <= 0 || camera.height <= 0) return refused(result, "width, height: must be positive");
-  if (!(camera.fx > 0 && camera.fy > 0 && std::isfinite(camera.fx) && std::isfinite(camera.fy)))
-    return refused(result, "fx, fy: must be positive and finite");
-  const Eigen::AlignedBox2d frame = frame_on_plane(camera);
-  if (!contains_principal_point(frame) || !contains_principal_point(shape))
-    return refused(result, "cx, cy: the principal point lies outside the image");
-
-  const auto gauge_at = [&](double scale) {
-    return smallest_rim_gauge(lens, scaled_box(shape, scale), frame);
-  };
-  // Grow a rectangle, at first far smaller than any lens needs, in steps of 2 % until its image contains the
-  // frame or the lens is no longer certified on it.
-  constexpr double step = 1.02, first = 0.2;
-  double outside = first, reach = 0;
-  while (reach < 1) {
-    const Eigen::AlignedBox2d box = scaled_box(shape, outside);
-    if (!is_certified(lens, box, options)) break;
-    reach = std::max(reach, gauge_at(outside));
-    if (reach < 1) outside *= step;
-  }
-  if (reach < 1) {
-    // The lens stops being certified between the last step and this one, perhaps only beyond the frame:
-    // bisect.
-    double certified = outside == first ? 0 : outside / step, refused_at = outside;
-    while (refused_at - certified > 1e-9 * refused_at) {
-      const double middle = 0.5 * (certified + refused_at);
-      (is_certified(lens, scaled_box(shape, middle), options) ? certified : refused_at) = middle;
-    }
-    reach = certified > 0 ? gauge_at(certified) : 0;
-    if (reach < 1) {
-      result.rectangle = scaled_box(shape, certified);
-      result.certificate = certify(lens, result.rectangle, options);
-      return refused(
-          result,
-          fmt::format("the lens cannot be certified on all of the frame, only {:.2f} % of the way: {}",
-                      100 * reach, certify(lens, scaled_box(shape, outside), options).why));
-    }
-    outside = certified;
-  }
-  double inside = outside > first ? outside / step : 0;
-  while (outside - inside > 1e-9 * outside) {
-    const double middle = 0.5 * (inside + outside);
-    (gauge_at(middle) >= 1 ? outside : inside) = middle;
-  }
-  result.rectangle = scaled_box(shape, outside);
-  result.certificate = certify(lens, result.rectangle, options);
-  result.why = result.certificate.why;
-  return result;
+  return certify_grown_rectangle(lens, camera, shape, options);
 }
 
 }  // namespace cps

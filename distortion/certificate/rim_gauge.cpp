@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "distortion/certificate/bernstein.h"
-#include "distortion/certificate/branch_and_bound.h"
+#include "distortion/certificate/rim_search.h"
 #include "numbers/interval.h"
 
 namespace cps {
@@ -47,31 +47,14 @@ DistortedSegment distorted_segment(const Distortion& lens, double pu, double pv,
 
 double smallest_rim_gauge(const Distortion& lens, const Eigen::AlignedBox2d& rectangle,
                           const Eigen::AlignedBox2d& frame) {
-  const Eigen::Vector2d low = rectangle.min(), high = rectangle.max();
-  double proved = std::numeric_limits<double>::infinity();
-  const auto search_side = [&](bool is_horizontal, double fixed) {
-    const auto value = [&](double t) {
-      return gauge(frame,
-                   distort(lens, is_horizontal ? Eigen::Vector2d(t, fixed) : Eigen::Vector2d(fixed, t)));
-    };
-    const auto bound = [&](double t0, double t1, double) {
-      const double pu = is_horizontal ? lens.p2 : lens.p1, pv = is_horizontal ? lens.p1 : lens.p2;
-      const DistortedSegment segment = distorted_segment(lens, pu, pv, t0, t1, fixed);
-      const Interval x = range(is_horizontal ? segment.u : segment.v),
-                     y = range(is_horizontal ? segment.v : segment.u);
-      return std::max(std::max(x.low / frame.max().x(), x.high / frame.min().x()),
-                      std::max(y.low / frame.max().y(), y.high / frame.min().y()));
-    };
-    const double tolerance = 1e-11 * std::abs(value(is_horizontal ? low.x() : low.y()));
-    const int axis = is_horizontal ? 0 : 1;
-    proved = std::min(proved,
-                      smallest_value(low[axis], high[axis], {.tolerance = tolerance}, bound, value).proved);
+  const auto image = [&](const Eigen::Vector2d& point) { return distort(lens, point); };
+  const auto enclosure = [&](const SideSegment& side) -> std::array<Interval, 2> {
+    const double pu = side.is_horizontal ? lens.p2 : lens.p1, pv = side.is_horizontal ? lens.p1 : lens.p2;
+    const DistortedSegment segment = distorted_segment(lens, pu, pv, side.low, side.high, side.fixed);
+    return {range(side.is_horizontal ? segment.u : segment.v),
+            range(side.is_horizontal ? segment.v : segment.u)};
   };
-  search_side(true, low.y());
-  search_side(true, high.y());
-  search_side(false, low.x());
-  search_side(false, high.x());
-  return proved;
+  return smallest_gauge_of_rim(rectangle, frame, image, enclosure);
 }
 
 }  // namespace cps

@@ -14,7 +14,7 @@ namespace cps {
 /// gradient vanishes there, and a proof that there is no answer if it does not.
 ///
 /// The residual |D(x) − distorted| is at rounding level. A target outside D(box) by less than 1e-12 of its
-/// size counts as inside.
+/// size, or than four roundings of the ideal point move its image, counts as inside.
 std::optional<Eigen::Vector2d> undistort(const Distortion& lens, const Eigen::AlignedBox2d& box,
                                          const Eigen::Vector2d& distorted);
 

@@ -7,17 +7,9 @@
 #include "distortion/inverse/inverse_map.h"
 #include "distortion/pinhole.h"
 #include "distortion/tile_rect.h"
+#include "distortion/warp/pixel_kernel.h"
 
 namespace cps {
-
-/// The warp's kernel, k(d) = (1 − d·C⁻¹d / support²)³ inside the ellipse where that is positive: a piecewise
-/// cubic in the squared distance that looks like a Gaussian, has covariance C exactly when support² = 10,
-/// ends smoothly instead of being cut off, and costs four multiplications.
-inline constexpr double kernel_support = 3.1622776601683795;  // √10 standard deviations
-
-/// Narrowest kernel, source pixels. Below it a footprint holds so few samples that the image ripples with the
-/// phase between the two pixel grids: by .002 px at .44, .06 px at .38 (docs/benchmarks/lens.md).
-inline constexpr double narrowest_sigma_px = 0.42;
 
 /// The kernels of one row of an output tile, in source pixels.
 struct KernelRow {
@@ -38,6 +30,16 @@ struct FootprintTile {
   double worst_residual_px = 0;  ///< of the inversion; 0 where there was none
 };
 
+/// A = ∂source px/∂output px of one row of output pixels.
+struct PixelJacobianRow {
+  alignas(32) std::array<double, KernelRow::side> xx, xy, yx, yy;
+};
+
+/// Sets the kernels of one row of the tile, tile.width of them, from their Jacobians: pixel_kernel() of each,
+/// with square source pixels. `sigma_px` is the standard deviation of the output pixel's kernel, output
+/// pixels.
+void kernels_of_row(const PixelJacobianRow& jacobian, double sigma_px, int row, FootprintTile& tile);
+
 /// Resampling through a lens: of which camera's image, into which, with which kernel.
 struct ResamplingGeometry {
   Distortion lens;
@@ -46,9 +48,7 @@ struct ResamplingGeometry {
   double sigma_px = 0;  ///< standard deviation of the output pixel's kernel, output pixels
 };
 
-/// Footprints of the output pixels in `rect`, which is at most FootprintTile::side wide and high. With
-/// A = ∂source px/∂output px, the kernel's covariance is C = sigma² A Aᵀ − I/12; the second term because the
-/// source's pixels are already averages over their squares.
+/// Footprints of the output pixels in `rect`, which is at most FootprintTile::side wide and high.
 ///
 /// Distorting: the output is seen through the lens, the source is ideal.
 void distorting_footprints(const ResamplingGeometry& geometry, const TileRect& rect, FootprintTile& tile);

@@ -8,7 +8,7 @@
 namespace cps {
 namespace {
 
-constexpr double pixel_variance = 1.0 / 12, support2 = kernel_support * kernel_support;
+constexpr double support2 = kernel_support * kernel_support;
 
 double larger(double a, double b) {
   return a > b ? a : b;

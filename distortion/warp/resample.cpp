@@ -1,21 +1,20 @@
 #include "distortion/warp/resample.h"
 
-#include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "distortion/warp/gather.h"
 #include "distortion/warp/pixel_bounds.h"
 #include "distortion/warp/planar_patch.h"
 #include "distortion/warp/point_sample.h"
+#include "distortion/warp/tiles.h"
+#include "distortion/warp/warp_checks.h"
 
 namespace cps {
 namespace {
@@ -101,25 +100,15 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const AddedNoise* noise, c
   OIIO::ImageBuf image(spec, OIIO::InitializePixels::No);
 
   tbb::enumerable_thread_specific<Worker> workers;
-  const tbb::blocked_range2d<int> tiles(0, (output.height + side - 1) / side, 1, 0,
-                                        (output.width + side - 1) / side, 1);
-  tbb::parallel_for(
-      tiles,
-      [&](const tbb::blocked_range2d<int>& range) {
-        Worker& worker = workers.local();
-        for (int row = range.rows().begin(); row < range.rows().end(); ++row)
-          for (int column = range.cols().begin(); column < range.cols().end(); ++column) {
-            const int x0 = column * side, y0 = row * side;
-            footprints({x0, y0, std::min(side, output.width - x0), std::min(side, output.height - y0)},
-                       *worker.tile);
-            worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
-            if (options.resampling == Resampling::footprint)
-              gather_tile(source, noise, x0, y0, worker, image);
-            else
-              worker.uncovered += sample_tile(source, *worker.tile, options.resampling, x0, y0, image);
-          }
-      },
-      tbb::simple_partitioner());
+  for_each_tile(output.width, output.height, [&](const TileRect& rect) {
+    Worker& worker = workers.local();
+    footprints(rect, *worker.tile);
+    worker.worst_residual_px = std::max(worker.worst_residual_px, worker.tile->worst_residual_px);
+    if (options.resampling == Resampling::footprint)
+      gather_tile(source, noise, rect.x0, rect.y0, worker, image);
+    else
+      worker.uncovered += sample_tile(source, *worker.tile, options.resampling, rect.x0, rect.y0, image);
+  });
 
   WarpSummary result;
   float smallest_variance = std::numeric_limits<float>::infinity();
@@ -131,13 +120,7 @@ OIIO::ImageBuf resample(const OIIO::ImageBuf& source, const AddedNoise* noise, c
   result.smallest_kernel_sigma_px = std::sqrt(std::max(0.0, double(smallest_variance)));
   if (summary) *summary = result;
 
-  if (options.require_coverage && result.uncovered_pixels > 0)
-    throw std::runtime_error("warp: " + std::to_string(result.uncovered_pixels) +
-                             " pixels see beyond the source: pad the master, or crop further");
-  if (options.require_resolution && result.smallest_kernel_sigma_px < narrowest_sigma_px)
-    throw std::runtime_error("warp: the image is magnified beyond what its source carries (kernel of " +
-                             std::to_string(result.smallest_kernel_sigma_px) +
-                             " source pixels): oversample more");
+  check_summary(result, options);
   return image;
 }
 

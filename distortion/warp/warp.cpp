@@ -1,29 +1,13 @@
 #include "distortion/warp/warp.h"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/warp/resample.h"
+#include "distortion/warp/warp_checks.h"
 
 namespace cps {
 namespace {
-
-void check_source(const OIIO::ImageBuf& source, const Pinhole& camera, const Pinhole& output,
-                  const WarpOptions& options) {
-  if (const std::string fault = options.fault(); !fault.empty()) throw std::runtime_error("warp: " + fault);
-  const OIIO::ImageSpec& spec = source.spec();
-  if (!source.initialized() || !source.localpixels())
-    throw std::runtime_error("warp: the source's pixels are not in memory");
-  if (spec.width != camera.width || spec.height != camera.height)
-    throw std::runtime_error(fmt::format("warp: the source is {} x {}, its camera {} x {}", spec.width,
-                                         spec.height, camera.width, camera.height));
-  if (spec.nchannels < 1 || spec.nchannels > 4)
-    throw std::runtime_error("warp: the source needs 1 to 4 channels");
-  if (output.width <= 0 || output.height <= 0 || !(output.fx > 0 && output.fy > 0))
-    throw std::runtime_error("warp: the output needs a positive size and positive focal lengths");
-}
 
 /// The caller's box; without one, the part of the master that the output sees, or the whole master if the
 /// output sees more. The lens need not be one-to-one outside that part, where the master's pad only feeds

@@ -5,17 +5,22 @@
 /// datasets have no others.
 namespace cps {
 
-CalibratedCamera read_cps(const JsonKeys& root, const std::string& name) {
-  refuse_other_models(root, {"k1", "k2", "k3", "p1", "p2"});
-  CalibratedCamera camera = camera_from_json(root);
+ModelCamera read_cps(const JsonKeys& root, const std::string& name) {
+  using enum NamedLens;
+  const NamedLens named = named_lens(root, {plane, kannala_brandt, unified_spherical, eucm, double_sphere});
+  if (named != plane && !root.json.contains("model"))
+    root.fail("model", "is missing, though another key names a lens model: give model and params");
+  ModelCamera camera = model_camera_from_json(root);
+  if (named != plane && std::holds_alternative<Distortion>(camera.lens))
+    root.fail("model", "names no other lens model, but another key does: keep one of them");
   const bool is_named = root.json.contains("camera") && root.at("camera").contains("name");
   camera.name = is_named ? name_at(root.object("camera"), "name") : name;
   return camera;
 }
 
 std::string write_cps(CameraSpan cameras) {
-  const CalibratedCamera& camera = only_camera(cameras);
-  nlohmann::ordered_json json = camera_json(camera.pinhole, camera.distortion);
+  const ModelCamera& camera = only_camera(cameras);
+  nlohmann::ordered_json json = model_camera_json(camera.pinhole, camera.lens);
   json["camera"] = {{"name", camera.name}};
   return json.dump(2) + "\n";
 }

@@ -1,6 +1,5 @@
 #include "dataset/exchange/formats/formats.h"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -35,8 +34,8 @@ void append_numbers(const nlohmann::json& list, const std::string& where, std::v
 
 }  // namespace
 
-void add_camera(CalibrationFile& file, const std::string& name,
-                const std::function<CalibratedCamera()>& read) {
+void add_camera(ModelCalibrationFile& file, const std::string& name,
+                const std::function<ModelCamera()>& read) {
   try {
     file.cameras.push_back(read());
   } catch (const std::runtime_error& error) {
@@ -70,23 +69,6 @@ std::string name_at(const JsonKeys& keys, const std::string& key) {
   return value.is_number() ? value.dump() : keys.text(key);
 }
 
-Distortion from_opencv_order(std::span<const double> values, const std::string& where) {
-  constexpr std::array names{"k1", "k2", "p1", "p2", "k3", "k4",    "k5",
-                             "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-  if (values.size() > names.size())
-    throw std::runtime_error(where + ": has more than " + std::to_string(names.size()) + " coefficients");
-  for (std::size_t i = 5; i < values.size(); ++i)
-    if (values[i] != 0)
-      throw std::runtime_error(where + ": " + names[i] +
-                               " is not 0; only k1 k2 p1 p2 k3 are supported: calibrate without it");
-  const auto at = [&](std::size_t i) { return i < values.size() ? values[i] : 0.0; };
-  return {.k1 = at(0), .k2 = at(1), .k3 = at(4), .p1 = at(2), .p2 = at(3)};
-}
-
-std::vector<double> in_opencv_order(const Distortion& lens) {
-  return {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};
-}
-
 Pinhole pinhole_from_k(std::span<const double> k, int width, int height, const std::string& where) {
   if (k.size() != 9) throw std::runtime_error(where + ": must be 9 numbers, row by row");
   if (k[1] != 0) throw std::runtime_error(where + ": has skew, which is not supported");
@@ -109,7 +91,7 @@ std::vector<double> k_matrix(const Pinhole& camera) {
   return {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
 }
 
-const CalibratedCamera& only_camera(CameraSpan cameras) {
+const ModelCamera& only_camera(CameraSpan cameras) {
   if (cameras.size() != 1)
     throw std::runtime_error("this format holds one camera, not " + std::to_string(cameras.size()) +
                              ": choose one");

@@ -58,30 +58,30 @@ bool is_kitti_odometry(const std::string& text) {
   return has_line(text, "P");
 }
 
-CalibrationFile read_kitti(const std::string& text, const std::string& file) {
+ModelCalibrationFile read_kitti(const std::string& text, const std::string& file) {
   const Lines lines = lines_of(text, file);
-  CalibrationFile result;
+  ModelCalibrationFile result;
   for (const auto& [key, value] : lines) {
     if (!key.starts_with("K_")) continue;
     const std::string name = key.substr(2);
-    add_camera(result, name, [&]() -> CalibratedCamera {
+    add_camera(result, name, [&]() -> ModelCamera {
       const std::vector<double> size = numbers(lines, "S_" + name, 2, file);
       const std::string where = file + ": S_" + name;
       return {name,
               pinhole_from_k(numbers(lines, key, 9, file), size_px(size[0], where), size_px(size[1], where),
                              file + ": " + key),
-              from_opencv_order(numbers(lines, "D_" + name, 5, file), file + ": D_" + name)};
+              brown_conrady_lens(numbers(lines, "D_" + name, 5, file), file + ": D_" + name)};
     });
   }
   return result;
 }
 
-CalibrationFile read_kitti_odometry(const std::string& text, const std::string& file) {
+ModelCalibrationFile read_kitti_odometry(const std::string& text, const std::string& file) {
   const Lines lines = lines_of(text, file);
-  CalibrationFile result;
+  ModelCalibrationFile result;
   for (const auto& [key, value] : lines) {
     if (key.size() != 2 || key[0] != 'P') continue;
-    add_camera(result, key, [&]() -> CalibratedCamera {
+    add_camera(result, key, [&]() -> ModelCamera {
       const std::vector<double> p = numbers(lines, key, 12, file);
       return {key,
               pinhole_from_k(std::vector{p[0], p[1], p[2], p[4], p[5], p[6], p[8], p[9], p[10]}, 0, 0,
@@ -97,15 +97,15 @@ std::string write_kitti(CameraSpan cameras) {
     return name.size() == 2 && name.find_first_not_of("0123456789") == std::string::npos;
   };
   bool keep_names = true;
-  for (const CalibratedCamera& camera : cameras) keep_names = keep_names && is_kitti_name(camera.name);
+  for (const ModelCamera& camera : cameras) keep_names = keep_names && is_kitti_name(camera.name);
   std::string text;
   int index = 0;
-  for (const CalibratedCamera& camera : cameras) {
+  for (const ModelCamera& camera : cameras) {
     const std::string name = keep_names ? camera.name : fmt::format("{:02}", index);
     ++index;
     text += fmt::format("S_{0}: {1} {2}\nK_{0}: {3}\nD_{0}: {4}\n", name, camera.pinhole.width,
                         camera.pinhole.height, decimals(k_matrix(camera.pinhole), " "),
-                        decimals(in_opencv_order(camera.distortion), " "));
+                        decimals(opencv_coefficients(camera.lens), " "));
   }
   return text;
 }

@@ -2,13 +2,27 @@
 
 #include "dataset/exchange/formats/formats.h"
 
+/// ROS' camera_info: plumb_bob (k1 k2 p1 p2 k3), rational_polynomial (… k4 k5 k6), equidistant, by some
+/// called fisheye (k1 k2 k3 k4).
+
 namespace cps {
 namespace {
 
-void check_model(const JsonKeys& root) {
+LensModel read_lens(const JsonKeys& root, std::span<const double> coefficients, const std::string& where) {
+  const NamedLens named = named_lens(root, {NamedLens::plane, NamedLens::kannala_brandt});
+  refuse_other_coefficients(root, {});
   const std::string model = root.text("distortion_model");
-  if (model != "plumb_bob" && model != "rational_polynomial" && !model.empty())
-    root.fail("distortion_model", "is " + model + "; only plumb_bob is supported");
+  if (model == "equidistant" || model == "fisheye") return kannala_brandt_lens(coefficients, where);
+  if (named == NamedLens::kannala_brandt)
+    root.fail("distortion_model", "names no fisheye, but another key does: keep one of them");
+  if (model == "rational_polynomial") return plane_lens(coefficients, where);
+  if (model == "plumb_bob" || model.empty()) return brown_conrady_lens(coefficients, where);
+  root.fail("distortion_model", "is " + model + "; must be plumb_bob, rational_polynomial or equidistant");
+}
+
+const char* model_name(const LensModel& lens) {
+  if (std::holds_alternative<RationalLens>(lens)) return "rational_polynomial";
+  return std::holds_alternative<KannalaBrandt>(lens) ? "equidistant" : "plumb_bob";
 }
 
 /// A message may be of a part of the sensor, or of every second pixel: then K is not that of the pictures.
@@ -25,9 +39,7 @@ void refuse_parts(const JsonKeys& root) {
 
 }  // namespace
 
-CalibratedCamera read_ros(const JsonKeys& root, const std::string& name) {
-  refuse_other_models(root, {"distortion_model"});
-  check_model(root);
+ModelCamera read_ros(const JsonKeys& root, const std::string& name) {
   const auto data = [&](const char* key) {
     const JsonKeys matrix = root.object(key);
     if (!matrix.json.is_object() || !matrix.json.contains("data")) root.fail(key, "data: is missing");
@@ -36,23 +48,21 @@ CalibratedCamera read_ros(const JsonKeys& root, const std::string& name) {
   const Pinhole camera = pinhole_from_k(data("camera_matrix"), root.pixels("image_width"),
                                         root.pixels("image_height"), root.file + ": camera_matrix");
   return {root.json.contains("camera_name") ? name_at(root, "camera_name") : name, camera,
-          from_opencv_order(data("distortion_coefficients"), root.file + ": distortion_coefficients")};
+          read_lens(root, data("distortion_coefficients"), root.file + ": distortion_coefficients")};
 }
 
-CalibratedCamera read_ros_message(const JsonKeys& root, const std::string& name) {
-  refuse_other_models(root, {"distortion_model"});
-  check_model(root);
+ModelCamera read_ros_message(const JsonKeys& root, const std::string& name) {
   refuse_parts(root);
   const bool is_ros1 = root.json.contains("K");  // ROS 2 writes k, d
   const std::string k = is_ros1 ? "K" : "k", d = is_ros1 ? "D" : "d";
   const Pinhole camera = pinhole_from_k(number_list(root.at(k), 9, root.file + ": " + k),
                                         root.pixels("width"), root.pixels("height"), root.file + ": " + k);
-  return {name, camera,
-          from_opencv_order(number_list(root.at(d), root.file + ": " + d), root.file + ": " + d)};
+  return {name, camera, read_lens(root, number_list(root.at(d), root.file + ": " + d), root.file + ": " + d)};
 }
 
 std::string write_ros(CameraSpan cameras) {
-  const CalibratedCamera& camera = only_camera(cameras);
+  const ModelCamera& camera = only_camera(cameras);
+  const std::vector<double> coefficients = opencv_coefficients(camera.lens);
   const Pinhole& pinhole = camera.pinhole;
   const std::vector<double> projection = {pinhole.fx, 0, pinhole.cx, 0, 0, pinhole.fy,
                                           pinhole.cy, 0, 0,          0, 1, 0};
@@ -63,8 +73,8 @@ std::string write_ros(CameraSpan cameras) {
   };
   return fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", pinhole.width, pinhole.height,
                      nlohmann::json(camera.name).dump()) +
-         matrix("camera_matrix", 3, 3, k_matrix(pinhole)) + "distortion_model: plumb_bob\n" +
-         matrix("distortion_coefficients", 1, 5, in_opencv_order(camera.distortion)) +
+         matrix("camera_matrix", 3, 3, k_matrix(pinhole)) + "distortion_model: " + model_name(camera.lens) +
+         "\n" + matrix("distortion_coefficients", 1, static_cast<int>(coefficients.size()), coefficients) +
          matrix("rectification_matrix", 3, 3, unrectified) + matrix("projection_matrix", 3, 4, projection);
 }
 

@@ -49,8 +49,8 @@ TEST_CASE("bash completes verbs, options and files") {
   using Words = std::vector<std::string>;
   CHECK(offered(folder, {"cps", "gen"}) == Words{"generate"});
   CHECK(offered(folder, {"cps", "help", "und"}) == Words{"undistort"});
-  CHECK(offered(folder, {"cps", "lens", ""}) == Words{"limits", "check", "sample"});
-  CHECK(offered(folder, {"cps", "lens", "c"}) == Words{"check"});
+  CHECK(offered(folder, {"cps", "lens", ""}) == Words{"limits", "check", "convert", "sample"});
+  CHECK(offered(folder, {"cps", "lens", "ch"}) == Words{"check"});
   CHECK(offered(folder, {"cps", "city", "--tree"}) == Words{"--tree-density"});
   CHECK(offered(folder, {"cps", "city", "--tree_d"}) == Words{"--tree-density"});
   CHECK(offered(folder, {"cps", "generate", "--max-zo"}) == Words{"--max_zoom"});
