@@ -9,6 +9,7 @@
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
 #include "trainer/model/train_presets.h"
+#include "trainer/network/architectures.h"
 #include "trainer/onnx/export_onnx.h"
 #include "trainer/training/ranks.h"
 
@@ -28,18 +29,28 @@ void flag(po::options_description& options, const char* name, T& value, const st
 
 /// Flags whose values are words, before they are parsed.
 struct Words {
-  std::string target_space, loss;
+  std::string target_space, loss, precision;
 };
+
+Words words_of(const TrainOptions& o) {
+  return {to_string(o.target_space), to_string(o.loss), to_string(o.precision)};
+}
 
 po::options_description training_flags(TrainOptions& o, Words& words) {
   po::options_description options("How to train (defaults without --preset in brackets)");
-  flag(options, "arch", o.architecture,
-       "architecture: resnet18, resnet34, resnet50, resnet101 or resnet34-nopool");
+  std::string names;
+  for (const Architecture& architecture : architectures())
+    names += (names.empty() ? "" : ", ") + architecture.name;
+  flag(options, "arch", o.architecture, "architecture: " + names);
   options.add_options()(
       "init", po::value(&o.initial_weights)->value_name("FILE"),
       "start from the weights in this file: a .pth of torchvision's ResNets, or the weights.pt of a model");
   flag(options, "size-features", o.size_features, "give the network the size of the original image");
   flag(options, "sobel", o.edge_channel, "give the network each image's Sobel edges as a second channel");
+  flag(options, "orientation", o.orientation.measured,
+       "give the network the orientation of edges, measured at the image's own size");
+  flag(options, "orientation-width", o.orientation.max_width,
+       "with --orientation: wider images are reduced to this width before it is measured, pixels");
   flag(options, "loss", words.loss,
        "mse or huber of the standardised outputs, or reprojection (pixel distance)");
   flag(options, "targets", words.target_space,
@@ -78,6 +89,8 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
        "stop after so many epochs without a better validation loss; 0: never");
   flag(options, "seed", o.seed, "seed of all random choices");
   flag(options, "threads", o.threads, "number of threads; 0 means one per core");
+  flag(options, "precision", words.precision,
+       "of the convolutions: float32, bfloat16, or auto: bfloat16 if the processor computes it");
   flag(options, "minutes", o.minutes,
        "time budget: fewer epochs and a shorter schedule if needed to stay within it; 0: none");
   options.add_options()("milestones",
@@ -110,7 +123,7 @@ does the same as cps train. Several processes, started by srun, train together.
 
 int train_verb(const Arguments& arguments) {
   TrainOptions options;
-  Words words{to_string(options.target_space), to_string(options.loss)};
+  Words words = words_of(options);
   std::string data, out, device, presets;
   bool with_onnx = true;
   for (const TrainPreset& preset : train_presets()) presets += preset.name + ": " + preset.purpose + "; ";
@@ -138,11 +151,12 @@ int train_verb(const Arguments& arguments) {
         throw po::error("--" + name + " cannot be combined with --resume, which keeps the model's options");
   if (values.count("preset"))
     options = usage_checked([&] { return train_preset(values["preset"].as<std::string>()); });
-  words = {to_string(options.target_space), to_string(options.loss)};
+  words = words_of(options);
   po::notify(values);
   options.target_space = usage_checked([&] { return target_space_from_string(words.target_space); });
   const Device computed_on = usage_checked([&] { return device_from_string(device); });
   options.loss = usage_checked([&] { return loss_from_string(words.loss); });
+  options.precision = usage_checked([&] { return precision_from_string(words.precision); });
   if (const std::string fault = options.fault(); !fault.empty()) throw po::error(fault);
 
   const Ranks ranks = join_ranks();

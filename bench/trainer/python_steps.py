@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""python_steps.py BATCH WIDTH HEIGHT STEPS THREADS: for each line on stdin, trains ResNet-18 of torchvision's shape
-(one channel in, eight numbers out) for so many steps on one batch in memory, and prints the seconds they took, wall and CPU:
-forward, mean squared error, backward, gradient clip, AdamW."""
+"""python_steps.py BATCH WIDTH HEIGHT STEPS THREADS ARCH PRECISION [channels-last]: for each line on stdin, trains a ResNet
+of torchvision's shape (basic blocks, one channel in, eight numbers out) for so many steps on one batch in memory, and prints the
+seconds they took, wall and CPU: forward, mean squared error, backward, gradient clip, AdamW. With bfloat16, the forward pass is
+in torch's autocast. With channels-last, network and images have that memory format."""
 import sys
 import time
 
 import torch
 from torch import nn
+
+NETWORKS = {"resnet18": (2, 64), "resnet18-32": (2, 32), "resnet18-16": (2, 16), "resnet10-32": (1, 32)}  # blocks, width
 
 
 class Block(nn.Module):
@@ -29,27 +32,34 @@ class Block(nn.Module):
         return self.relu(out)
 
 
-def resnet18():
-    layers = [nn.Conv2d(1, 64, 7, 2, 3, bias=False), nn.BatchNorm2d(64), nn.ReLU(inplace=True), nn.MaxPool2d(3, 2, 1)]
-    channels_in = 64
-    for channels, stride in ((64, 1), (128, 2), (256, 2), (512, 2)):
-        layers += [Block(channels_in, channels, stride), Block(channels, channels, 1)]
-        channels_in = channels
-    return nn.Sequential(*layers, nn.AdaptiveAvgPool2d(1), nn.Flatten(), nn.Linear(512, 8))
+def resnet(blocks, width):
+    layers = [nn.Conv2d(1, width, 7, 2, 3, bias=False), nn.BatchNorm2d(width), nn.ReLU(inplace=True), nn.MaxPool2d(3, 2, 1)]
+    channels_in = width
+    for stage in range(4):
+        channels = width << stage
+        for block in range(blocks):
+            layers.append(Block(channels_in, channels, 2 if stage > 0 and block == 0 else 1))
+            channels_in = channels
+    return nn.Sequential(*layers, nn.AdaptiveAvgPool2d(1), nn.Flatten(), nn.Linear(channels_in, 8))
 
 
 def main():
     batch, width, height, steps, threads = map(int, sys.argv[1:6])
+    architecture, precision = sys.argv[6:8]
+    layout = torch.channels_last if "channels-last" in sys.argv[8:] else torch.contiguous_format
     torch.set_num_threads(threads)
-    network = resnet18().train()
+    network = resnet(*NETWORKS[architecture]).to(memory_format=layout).train()
     optimizer = torch.optim.AdamW(network.parameters(), lr=1e-3, weight_decay=.01)
     loss_of = nn.MSELoss()
-    images, targets = torch.randn(batch, 1, height, width), torch.randn(batch, 8)
+    images = torch.randn(batch, 1, height, width).to(memory_format=layout)
+    targets = torch.randn(batch, 8)
     for _ in sys.stdin:
         start, cpu = time.monotonic(), time.process_time()
         for _ in range(steps):
             optimizer.zero_grad()
-            loss = loss_of(network(images), targets)
+            with torch.autocast("cpu", torch.bfloat16, enabled=precision == "bfloat16"):
+                predicted = network(images)
+            loss = loss_of(predicted.float(), targets)
             loss.backward()
             nn.utils.clip_grad_norm_(network.parameters(), 1.)
             optimizer.step()

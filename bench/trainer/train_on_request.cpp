@@ -1,17 +1,21 @@
-// train_on_request BATCH WIDTH HEIGHT STEPS THREADS [step]: for each line on stdin, trains ResNet-18 for
-// STEPS steps on images in memory as `cps train` does, and prints the wall and CPU seconds that took.
-// compare_with_python.py runs it in turns with Python's torch. With `step`, does exactly what the Python
-// program does: forward, backward, clip and AdamW on one batch, without a loader.
+// train_on_request BATCH WIDTH HEIGHT STEPS THREADS ARCH PRECISION [bare] [channels-last]: for each line on
+// stdin, trains the network for STEPS steps on images in memory as `cps train` does, and prints the wall and
+// CPU seconds that took. compare_with_python.py runs it in turns with Python's torch. With `bare`, does
+// exactly what the Python program does: forward, backward, clip and AdamW on one batch, without a loader.
+// With `channels-last`, kernels have that layout in float32, too; `cps train` uses it for bfloat16 only.
 #include <torch/nn/module.h>
 #include <torch/nn/utils/clip_grad.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "random/counter_hash.h"
+#include "trainer/network/autocast.h"
 #include "trainer/network/threads.h"
 #include "trainer/training/epoch.h"
 
@@ -55,19 +59,29 @@ void bare_steps(TrainingState& state, int batch, ImageSize size, int steps) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc < 6) throw std::runtime_error("usage: train_on_request BATCH WIDTH HEIGHT STEPS THREADS [step]");
-  const int batch = std::stoi(argv[1]), steps = std::stoi(argv[4]);
-  const ImageSize size{std::stoi(argv[2]), std::stoi(argv[3])};
-  const bool is_bare = argc > 6;
-  use_threads(std::stoi(argv[5]));
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 7)
+    throw std::runtime_error(
+        "usage: train_on_request BATCH WIDTH HEIGHT STEPS THREADS ARCH PRECISION [bare] [channels-last]");
+  const int batch = std::stoi(words[0]), steps = std::stoi(words[3]);
+  const ImageSize size{std::stoi(words[1]), std::stoi(words[2])};
+  const auto asked = [&](const char* word) {
+    return std::find(words.begin() + 7, words.end(), word) != words.end();
+  };
+  const bool is_bare = asked("bare");
+  use_threads(std::stoi(words[4]));
 
   ModelCard card;
   card.options.size_features = false;
   card.options.batch_size = batch;
+  card.options.architecture = words[5];
+  card.options.precision = chosen_precision(precision_from_string(words[6]), processor_computes_bfloat16());
+  if (const std::string fault = card.options.fault(); !fault.empty()) throw std::runtime_error(fault);
   const TrainingSet set = noise_images(size, batch * steps);
   card.pixels = set.pixels;
   card.targets = set.targets;
   TrainingState state = fresh_training_state(card.options);
+  if (asked("channels-last")) use_channels_last(*state.network);
   for (std::string line; std::getline(std::cin, line);) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu = std::clock();

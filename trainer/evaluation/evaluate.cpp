@@ -11,15 +11,17 @@
 
 #include "numbers/angles.h"
 #include "trainer/evaluation/bootstrap.h"
+#include "trainer/images/network_image.h"
+#include "trainer/images/orientation/measure.h"
 
 namespace cps {
 namespace {
 
-/// The set's images, reduced for the network. Unreadable images are removed from the set with a line in
+/// The set's images as the network takes them. Unreadable images are removed from the set with a line in
 /// `skipped`, or are an error.
-std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reduction, bool skip_bad,
-                                   std::vector<std::string>& skipped) {
-  std::vector<std::optional<GrayImage>> read(set.images.size());
+std::vector<NetworkImage> read_images(EvaluationSet& set, const TrainOptions& options, bool skip_bad,
+                                      std::vector<std::string>& skipped) {
+  std::vector<std::optional<NetworkImage>> read(set.images.size());
   std::vector<std::string> failures(set.images.size());
   tbb::parallel_for(std::size_t{0}, set.images.size(), [&](std::size_t i) {
     try {
@@ -31,13 +33,13 @@ std::vector<GrayImage> read_images(EvaluationSet& set, const Reduction& reductio
                                  std::to_string(gray.size.height) + ", but its calibration is of " +
                                  std::to_string(camera.width) + "x" + std::to_string(camera.height) +
                                  " pixels");
-      read[i] = area_average(gray, reduced_size(gray.size, reduction));
+      read[i] = network_image(gray, options.reduction, options.orientation);
     } catch (const std::exception& error) {
       failures[i] = error.what();
     }
   });
   EvaluationSet kept{.name = set.name, .images = {}};
-  std::vector<GrayImage> images;
+  std::vector<NetworkImage> images;
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (!read[i] && !skip_bad) throw std::runtime_error(failures[i]);
     if (!read[i]) {
@@ -56,13 +58,13 @@ Outputs centred_without_distortion(double fov, const Pinhole& camera) {
 }
 
 std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSet& set,
-                                  const std::vector<GrayImage>& images) {
+                                  const std::vector<NetworkImage>& images) {
   const ModelCard& card = predictor.card();
   const TargetSpace space = card.options.target_space;
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Pinhole& camera = set.images[i].truth.pinhole;
-    batch.push_back({{images[i].size, images[i].pixels.data()}, {camera.width, camera.height}});
+    batch.push_back(batch_image(images[i], {camera.width, camera.height}));
   }
   const std::vector<Outputs> predicted = predictor(batch);
   std::vector<EvaluatedImage> judged(set.images.size());
@@ -143,8 +145,8 @@ Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
                     const EvaluationOptions& options) {
   Evaluation result;
   EvaluationSet set = whole;
-  const std::vector<GrayImage> images =
-      read_images(set, predictor.card().options.reduction, options.skip_bad_images, result.skipped);
+  const TrainOptions& network = predictor.card().options;
+  const std::vector<NetworkImage> images = read_images(set, network, options.skip_bad_images, result.skipped);
   if (images.empty()) throw std::runtime_error(set.name + ": no image is left to measure");
   result.set = set.name;
   result.images = judge(predictor, set, images);
@@ -155,7 +157,14 @@ Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
   result.centre = summary_of(result.images, all, &EvaluatedImage::centre);
   result.headline = headline(result.images, all, options);
   result.bins = bins_of(result.images);
-  if (options.robustness) result.robustness = robustness(predictor, set, images, options.seed);
+  if (options.robustness) {
+    const auto picture = [&](std::size_t i) {
+      if (!network.orientation.measured) return images[i].gray;
+      return measured_picture(read_gray_image(set.images[i].file), images[i].gray.size,
+                              network.orientation.max_width);
+    };
+    result.robustness = robustness(predictor, set, picture, options.seed);
+  }
   return result;
 }
 

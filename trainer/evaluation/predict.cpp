@@ -1,9 +1,11 @@
 #include "trainer/evaluation/predict.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "dataset/labels/label.h"
 #include "distortion/label_algebra.h"
@@ -11,6 +13,8 @@
 #include "numbers/angles.h"
 #include "trainer/calibration/reprojection.h"
 #include "trainer/images/augmentation.h"
+#include "trainer/images/network_image.h"
+#include "trainer/images/orientation/measure.h"
 
 namespace cps {
 namespace {
@@ -37,28 +41,46 @@ Outputs unmirrored(Outputs raw, const ImageSize& size) {
   return raw;
 }
 
-/// Standard deviation of the predictions for variants of one image.
-Outputs spread_of(const Predictor& predictor, const BatchImage& image, const PredictOptions& how) {
-  if (how.variants < 2) return {};
+/// Variants of an image: of the reduced one, or, for a network that takes orientation, of the picture that it
+/// is measured in.
+std::vector<NetworkImage> variants_of(const std::filesystem::path& file, const NetworkImage& image,
+                                      const ImageSize& original, const TrainOptions& options,
+                                      const PredictOptions& how) {
   const Augmentation changes{.probability = .5, .max_cutout = 0};
-  std::vector<GrayImage> variants;
+  const bool with_orientation = options.orientation.measured;
+  const GrayImage picture = with_orientation ? measured_picture(read_gray_image(file), image.gray.size,
+                                                                options.orientation.max_width)
+                                             : image.gray;
+  std::vector<NetworkImage> variants(how.variants);
+  tbb::parallel_for(0, how.variants, [&](int i) {
+    GrayImage changed = augmented({picture.size, picture.pixels.data()}, changes,
+                                  substream(make_stream(how.seed, "looks"), i));
+    if (with_orientation)
+      variants[i] = network_image_of_measured(changed, original, options.reduction);
+    else
+      variants[i].gray = std::move(changed);
+  });
+  return variants;
+}
+
+/// Standard deviation of the predictions for variants of one image of size `original`.
+Outputs spread_of(const Predictor& predictor, const std::vector<NetworkImage>& variants,
+                  const ImageSize& original) {
+  const int count = static_cast<int>(variants.size());
   std::vector<BatchImage> batch;
-  for (int i = 0; i < how.variants; ++i)
-    variants.push_back(augmented(image.gray, changes, substream(make_stream(how.seed, "looks"), i)));
-  for (int i = 0; i < how.variants; ++i)
-    batch.push_back({{variants[i].size, variants[i].pixels.data()}, image.original, i % 2 == 1});
+  for (int i = 0; i < count; ++i) batch.push_back(batch_image(variants[i], original, i % 2 == 1));
   const std::vector<Outputs> predicted = predictor(batch);
   Outputs mean{}, spread{};
   std::vector<Outputs> raw;
-  for (int i = 0; i < how.variants; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Outputs one = convert(predicted[i], predictor.card().options.target_space, TargetSpace::raw,
-                                image.original.width, image.original.height);
-    raw.push_back(batch[i].mirror ? unmirrored(one, image.original) : one);
-    for (int k = 0; k < output_count; ++k) mean[k] += raw.back()[k] / how.variants;
+                                original.width, original.height);
+    raw.push_back(batch[i].mirror ? unmirrored(one, original) : one);
+    for (int k = 0; k < output_count; ++k) mean[k] += raw.back()[k] / count;
   }
   for (const Outputs& one : raw)
     for (int k = 0; k < output_count; ++k) spread[k] += (one[k] - mean[k]) * (one[k] - mean[k]);
-  for (double& s : spread) s = std::sqrt(s / (how.variants - 1));
+  for (double& s : spread) s = std::sqrt(s / (count - 1));
   return spread;
 }
 
@@ -107,16 +129,16 @@ std::vector<ImagePrediction> predict_images(const Predictor& predictor,
                                             const PredictOptions& how) {
   const TrainOptions& options = predictor.card().options;
   std::vector<ImagePrediction> predictions;
-  std::vector<GrayImage> reduced;
+  std::vector<NetworkImage> reduced;
   for (const std::filesystem::path& file : files) {
     const GrayImage gray = read_gray_image(file);
     predictions.push_back({.file = file, .size = gray.size});
     predictions.back().truth = truth_beside(file, gray.size);
-    reduced.push_back(area_average(gray, reduced_size(gray.size, options.reduction)));
+    reduced.push_back(network_image(gray, options.reduction, options.orientation));
   }
   std::vector<BatchImage> images;
   for (std::size_t i = 0; i < reduced.size(); ++i)
-    images.push_back({{reduced[i].size, reduced[i].pixels.data()}, predictions[i].size});
+    images.push_back(batch_image(reduced[i], predictions[i].size));
   const std::vector<Outputs> predicted = predictor(images);
 
   for (std::size_t i = 0; i < predicted.size(); ++i) {
@@ -126,7 +148,8 @@ std::vector<ImagePrediction> predict_images(const Predictor& predictor,
     if (p.camera) p.camera->name = p.file.stem().string();
     p.is_one_to_one = p.camera && is_one_to_one(*p.camera);
     if (p.camera) p.certified = pull_to_certified(*p.camera);
-    p.spread = spread_of(predictor, images[i], how);
+    if (how.variants >= 2)
+      p.spread = spread_of(predictor, variants_of(p.file, reduced[i], p.size, options, how), p.size);
     if (!p.truth || !p.camera) continue;
     if (const auto rays = ray_grid(*p.truth)) p.reprojection_px = reprojection_error_px(*rays, *p.camera);
   }

@@ -29,7 +29,7 @@ struct ImagePrediction {
 struct PredictOptions {
   /// Variants of each image (augmented(), every second one mirrored) whose predictions are compared: `spread`
   /// is the standard deviation over them. It measures how stable a prediction is, not how far it is from the
-  /// truth. 0: none.
+  /// truth. 0: none. With orientation, the changes are made to measured_picture(), whose pixels are smaller.
   int variants = 8;
   std::uint64_t seed = 0;  ///< of the random changes that make the variants
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,8 +19,11 @@ struct RobustnessRow {
 };
 
 /// Measures the errors on the images as they are, then under each corruption of the table in robustness.cpp.
-/// Entry i of `images` is set.images[i], reduced for the network; lengths are in its pixels.
+/// `picture(i)` is what is corrupted of set.images[i]: reduced for the network, or measured_picture() for a
+/// network that takes orientation. Lengths are in pixels of the network's image in both cases; noise is that
+/// of the pixels which are corrupted. `picture` is called from many threads.
 std::vector<RobustnessRow> robustness(const Predictor& predictor, const EvaluationSet& set,
-                                      std::span<const GrayImage> images, std::uint64_t seed);
+                                      const std::function<GrayImage(std::size_t i)>& picture,
+                                      std::uint64_t seed);
 
 }  // namespace cps

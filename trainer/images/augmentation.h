@@ -9,7 +9,7 @@ namespace cps {
 
 /// Random changes to a training image that keep its label exact: every pixel still shows the same point of
 /// the world. (Rotation, scaling, cropping, shearing, translation and lens effects would change the label, so
-/// they are not offered.) Sizes are in pixels of the network's image.
+/// they are not offered.) Sizes are in pixels of the picture that is changed.
 struct Augmentation {
   double probability = 0;          ///< of each change, independently, per image and epoch; 0: none
   double max_blur_sigma_px = 1.2;  ///< Gaussian blur

@@ -5,14 +5,16 @@
 #include <vector>
 
 #include "trainer/images/gray_image.h"
+#include "trainer/images/orientation/orientation.h"
 
 namespace cps {
 
 /// One image of a batch, before it becomes part of a tensor.
 struct BatchImage {
   GrayView gray;
-  ImageSize original;   ///< before reduction
-  bool mirror = false;  ///< flip left to right
+  ImageSize original;             ///< before reduction
+  bool mirror = false;            ///< flip left to right
+  OrientationView orientation{};  ///< not flipped; without planes for a network that has no orientation
 };
 
 /// Indices of the images of one batch, which all have the same size.

@@ -5,7 +5,8 @@ namespace cps {
 NetworkOptions network_options(const TrainOptions& options) {
   return {.dropout = options.dropout,
           .size_features = options.size_features,
-          .edge_channel = options.edge_channel};
+          .edge_channel = options.edge_channel,
+          .orientation = options.orientation.measured};
 }
 
 std::shared_ptr<Network> make_network(const TrainOptions& options) {

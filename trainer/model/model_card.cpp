@@ -1,13 +1,47 @@
 #include "trainer/model/model_card.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "files/files.h"
 
 namespace cps {
+namespace {
+
+constexpr std::array<const char*, orientation_plane_count> plane_names{
+    "vertical_tilt_times_confidence", "horizontal_tilt_times_confidence", "vertical_confidence",
+    "horizontal_confidence"};
+
+nlohmann::ordered_json to_json(const OrientationStatistics& statistics) {
+  return {
+      {"planes",
+       {{"names", plane_names}, {"mean", statistics.plane_mean}, {"deviation", statistics.plane_deviation}}},
+      {"numbers",
+       {{"names", orientation_number_names},
+        {"mean", statistics.number_mean},
+        {"deviation", statistics.number_deviation}}}};
+}
+
+OrientationStatistics orientation_statistics_from_json(const nlohmann::json& json) {
+  OrientationStatistics statistics;
+  if (json.at("numbers").at("names") != nlohmann::json(orientation_number_names))
+    throw std::runtime_error("input.orientation.numbers.names: are those of another version");
+  json.at("planes").at("mean").get_to(statistics.plane_mean);
+  json.at("planes").at("deviation").get_to(statistics.plane_deviation);
+  json.at("numbers").at("mean").get_to(statistics.number_mean);
+  json.at("numbers").at("deviation").get_to(statistics.number_deviation);
+  const auto is_positive = [](double deviation) { return deviation > 0; };
+  if (!std::ranges::all_of(statistics.plane_deviation, is_positive) ||
+      !std::ranges::all_of(statistics.number_deviation, is_positive))
+    throw std::runtime_error("input.orientation: deviation: must be above 0");
+  return statistics;
+}
+
+}  // namespace
 
 void save_model_card(const ModelCard& card, const std::filesystem::path& model_folder) {
-  const nlohmann::ordered_json json{
+  nlohmann::ordered_json json{
       {"schema", model_schema},
       {"options", to_json(card.options)},
       {"input",
@@ -21,6 +55,7 @@ void save_model_card(const ModelCard& card, const std::filesystem::path& model_f
         {"validation_images", card.validation_images}}},
       {"epoch", card.epoch},
       {"validation_loss", card.validation_loss}};
+  if (card.options.orientation.measured) json["input"]["orientation"] = to_json(card.orientation);
   write_json(model_folder / "model.json", json);
 }
 
@@ -36,6 +71,8 @@ ModelCard load_model_card(const std::filesystem::path& model_folder) {
     card.options = train_options_from_json(json.at("options"));
     json.at("input").at("pixel_mean").get_to(card.pixels.mean);
     json.at("input").at("pixel_deviation").get_to(card.pixels.deviation);
+    if (card.options.orientation.measured)
+      card.orientation = orientation_statistics_from_json(json.at("input").at("orientation"));
     json.at("outputs").at("mean").get_to(card.targets.mean);
     json.at("outputs").at("deviation").get_to(card.targets.deviation);
     json.at("dataset").at("folder").get_to(card.dataset);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "trainer/calibration/targets.h"
+#include "trainer/images/orientation/orientation_statistics.h"
 #include "trainer/images/pixel_statistics.h"
 #include "trainer/model/train_options.h"
 
@@ -16,9 +17,10 @@ inline constexpr int model_schema = 2;
 struct ModelCard {
   TrainOptions options;  ///< as trained, with architecture, input size and target space
   PixelStatistics pixels;
-  Standardisation targets;   ///< in options.target_space
-  std::string dataset;       ///< folder of the training data
-  std::string dataset_hash;  ///< dataset_fingerprint() of it
+  OrientationStatistics orientation{};  ///< zeros without orientation
+  Standardisation targets;              ///< in options.target_space
+  std::string dataset;                  ///< folder of the training data
+  std::string dataset_hash;             ///< dataset_fingerprint() of it
   int training_images = 0, validation_images = 0;
   int epoch = 0;               ///< whose weights are kept, the best on the validation set; 0: none yet
   double validation_loss = 0;  ///< of that epoch

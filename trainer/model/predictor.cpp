@@ -15,7 +15,7 @@ Predictor::Predictor(const std::filesystem::path& model_folder, Device device)
 }
 
 std::vector<Outputs> Predictor::operator()(std::span<const BatchImage> images) const {
-  std::vector<Outputs> predicted = run_network(*network_, images, card_.pixels, card_.options.batch_size);
+  std::vector<Outputs> predicted = run_network(*network_, images, card_);
   for (Outputs& outputs : predicted) outputs = unstandardise(outputs, card_.targets);
   return predicted;
 }

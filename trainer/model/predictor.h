@@ -24,7 +24,7 @@ class Predictor {
   const Network& network() const { return *network_; }
 
   /// Runs the network on the images. Returns its outputs for each, in order, in the model's target space and
-  /// natural units. The images must have been reduced by card().options.reduction; their sizes may differ.
+  /// natural units. The images must be those of network_image() with card().options; their sizes may differ.
   std::vector<Outputs> operator()(std::span<const BatchImage> images) const;
 
  private:

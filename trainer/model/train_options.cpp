@@ -30,6 +30,7 @@ void for_each_key(O& o, Visit visit) {
   visit("initial_weights", o.initial_weights);
   visit("size_features", o.size_features);
   visit("edge_channel", o.edge_channel);
+  visit("orientation", o.orientation);
   visit("target_space", o.target_space);
   visit("outputs", o.outputs);
   visit("loss", o.loss);
@@ -56,11 +57,13 @@ void for_each_key(O& o, Visit visit) {
   visit("patience", o.patience);
   visit("seed", o.seed);
   visit("threads", o.threads);
+  visit("precision", o.precision);
   visit("minutes", o.minutes);
 }
 
 /// Options added later: older models lack them.
-constexpr std::array later_keys{"online_lenses", "online_zoom", "edge_channel", "teacher", "teacher_weight"};
+constexpr std::array later_keys{"online_lenses", "online_zoom",    "edge_channel", "orientation",
+                                "teacher",       "teacher_weight", "precision"};
 
 /// An option as JSON: enumerations by name, the augmentation as an object of its own.
 template <typename T>
@@ -72,6 +75,12 @@ nlohmann::ordered_json json_value(Loss value) {
 }
 nlohmann::ordered_json json_value(TargetSpace value) {
   return to_string(value);
+}
+nlohmann::ordered_json json_value(Precision value) {
+  return to_string(value);
+}
+nlohmann::ordered_json json_value(const OrientationOptions& orientation) {
+  return {{"measured", orientation.measured}, {"max_width", orientation.max_width}};
 }
 nlohmann::ordered_json json_value(const Augmentation& augmentation) {
   nlohmann::ordered_json json;
@@ -88,6 +97,13 @@ void set_value(const nlohmann::json& json, Loss& value) {
 }
 void set_value(const nlohmann::json& json, TargetSpace& value) {
   value = target_space_from_string(json.get<std::string>());
+}
+void set_value(const nlohmann::json& json, Precision& value) {
+  value = precision_from_string(json.get<std::string>());
+}
+void set_value(const nlohmann::json& json, OrientationOptions& orientation) {
+  json.at("measured").get_to(orientation.measured);
+  json.at("max_width").get_to(orientation.max_width);
 }
 void set_value(const nlohmann::json& json, Augmentation& augmentation) {
   for_each_augmentation_key(augmentation, [&](const char* key, auto& value) { json.at(key).get_to(value); });
@@ -131,6 +147,7 @@ std::string TrainOptions::fault() const {
   if (!(dropout >= 0 && dropout < 1)) return "dropout: must lie in [0, 1)";
   if (!(max_gradient >= 0)) return "max-gradient: must not be negative";
   if (const std::string fault = augmentation.fault(); !fault.empty()) return fault;
+  if (const std::string fault = orientation.fault(); !fault.empty()) return fault;
   if (!(online_zoom >= 1 && online_zoom <= 3)) return "online-zoom: must lie in [1, 3]";
   if (!(teacher_weight >= 0 && teacher_weight <= 1)) return "teacher-weight: must lie in [0, 1]";
   if (!(ema_decay >= 0 && ema_decay < 1)) return "ema: must lie in [0, 1)";
@@ -142,7 +159,12 @@ std::string TrainOptions::fault() const {
 
 nlohmann::ordered_json to_json(const TrainOptions& options) {
   nlohmann::ordered_json json;
-  for_each_key(options, [&](const char* key, const auto& value) { json[key] = json_value(value); });
+  for_each_key(options, [&](const char* key, const auto& value) {
+    const bool is_left_out =
+        (key == std::string_view("orientation") && !options.orientation.measured) ||
+        (key == std::string_view("precision") && options.precision == Precision::float32);
+    if (!is_left_out) json[key] = json_value(value);
+  });
   return json;
 }
 

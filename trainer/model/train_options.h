@@ -8,6 +8,8 @@
 #include "trainer/calibration/targets.h"
 #include "trainer/images/augmentation.h"
 #include "trainer/images/gray_image.h"
+#include "trainer/images/orientation/orientation.h"
+#include "trainer/network/precision.h"
 
 namespace cps {
 
@@ -25,9 +27,10 @@ Loss loss_from_string(const std::string& word);
 /// How to train a network, and which.
 struct TrainOptions {
   std::string architecture = "resnet18";
-  std::string initial_weights;  ///< a file for start_from(); empty: random weights
-  bool size_features = true;    ///< give the network the size of the original image
-  bool edge_channel = false;    ///< give the network each image's Sobel edges as a second channel
+  std::string initial_weights;     ///< a file for start_from(); empty: random weights
+  bool size_features = true;       ///< give the network the size of the original image
+  bool edge_channel = false;       ///< give the network each image's Sobel edges as a second channel
+  OrientationOptions orientation;  ///< give the network the orientation of edges at the image's own size
   TargetSpace target_space = TargetSpace::apparent;
   /// The learned outputs, from output_names; the others stay at their training mean.
   std::vector<std::string> outputs{output_names.begin(), output_names.end()};
@@ -56,14 +59,16 @@ struct TrainOptions {
   int patience = 0;        ///< stop after so many epochs without a better validation loss; 0: never
   std::uint64_t seed = 0;  ///< of all random choices
   int threads = 0;         ///< 0: all cores
-  double minutes = 0;      ///< time budget, wall clock; 0: none. See train()
+  Precision precision = Precision::float32;  ///< of the convolutions in training
+  double minutes = 0;                        ///< time budget, wall clock; 0: none. See train()
 
   /// Empty if the options are usable; otherwise one line that names the field and the fix.
   std::string fault() const;
   bool operator==(const TrainOptions&) const = default;
 };
 
-/// Every option under its name in model.json.
+/// Every option under its name in model.json; the orientation only where it is measured, and the precision
+/// only where it is not float32, so that the cards of networks without them stay as they were.
 nlohmann::ordered_json to_json(const TrainOptions& options);
 
 /// Reads what to_json() wrote. Throws nlohmann::json::exception on a missing key or wrong type. Options that

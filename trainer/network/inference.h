@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "trainer/calibration/targets.h"
+#include "trainer/images/batches.h"
+#include "trainer/model/model_card.h"
 #include "trainer/network/resnet.h"
-#include "trainer/network/tensor_batch.h"
 
 namespace cps {
 
-/// Runs the network on the images. Returns its standardised outputs for each, in the images' order. Sizes may
-/// be mixed. Leaves the network in evaluation mode.
-std::vector<Outputs> run_network(Network& network, std::span<const BatchImage> images,
-                                 const PixelStatistics& statistics, int batch_size);
+/// Runs the network on the images, in batches of card.options.batch_size, with inputs normalised as the card
+/// says. Returns its standardised outputs for each, in the images' order. Sizes may be mixed. Leaves the
+/// network in evaluation mode.
+std::vector<Outputs> run_network(Network& network, std::span<const BatchImage> images, const ModelCard& card);
 
 }  // namespace cps

@@ -7,6 +7,7 @@
 #include <torch/nn/modules/linear.h>
 
 #include "trainer/calibration/targets.h"
+#include "trainer/network/autocast.h"
 #include "trainer/network/edges.h"
 
 namespace cps {
@@ -85,22 +86,26 @@ template <typename Block>
 struct ResNet final : Network {
   nn::Conv2d conv1;
   nn::BatchNorm2d bn1;
+  nn::Conv2d orientation{nullptr};
   std::array<nn::Sequential, 4> layers;
   nn::Linear fc;
   bool max_pool;
   NetworkOptions options;
 
   ResNet(const Architecture& architecture, const NetworkOptions& options)
-      : conv1(nn::Conv2dOptions(options.edge_channel ? 2 : 1, 64, 7).stride(2).padding(3).bias(false)),
-        bn1(64),
-        fc(512 * Block::expansion + (options.size_features ? 2 : 0), output_count),
+      : conv1(convolution(options.edge_channel ? 2 : 1, architecture.width, 7, 2)),
+        bn1(architecture.width),
+        fc(8 * architecture.width * Block::expansion + number_count(options), output_count),
         max_pool(architecture.max_pool),
         options(options) {
     register_module("conv1", conv1);
     register_module("bn1", bn1);
-    int in = 64;
+    if (options.orientation)
+      orientation =
+          register_module("orientation", convolution(orientation_plane_count, architecture.width, 3, 1));
+    int in = architecture.width;
     for (int i = 0; i < 4; ++i) {
-      const int channels = 64 << i;
+      const int channels = architecture.width << i;
       for (int b = 0; b < architecture.blocks[i]; ++b) {
         layers[i]->push_back(Block(in, channels, b == 0 && i > 0 ? 2 : 1));
         in = channels * Block::expansion;
@@ -115,12 +120,27 @@ struct ResNet final : Network {
     nn::init::zeros_(fc->bias);
   }
 
-  Tensor forward(const Tensor& images, const Tensor& sizes) override {
-    Tensor x = bn1(conv1(options.edge_channel ? with_sobel_edges(images) : images)).relu_();
+  /// Numbers that join the pooled features.
+  static int number_count(const NetworkOptions& options) {
+    return (options.size_features ? 2 : 0) + (options.orientation ? orientation_number_count : 0);
+  }
+
+  /// The last feature map, in the training precision.
+  Tensor feature_map(const Tensor& input, const Tensor& planes) {
+    const Autocast autocast(is_training() ? training_precision : Precision::float32);
+    Tensor x = conv1(input);
+    if (orientation) x.add_(orientation(planes));  // as large as conv1's result, see orientation_grid()
+    x = bn1(x).relu_();
     if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
     for (nn::Sequential& layer : layers) x = layer->forward(x);
-    x = x.mean({2, 3});
+    return x;
+  }
+
+  Tensor forward(const Tensor& images, const Tensor& sizes, const OrientationTensors& edges) override {
+    const Tensor map = feature_map(options.edge_channel ? with_sobel_edges(images) : images, edges.planes);
+    Tensor x = map.to(torch::kFloat).mean({2, 3});  // float32 from here: few numbers, and all of them count
     if (options.size_features) x = torch::cat({x, sizes}, 1);
+    if (options.orientation) x = torch::cat({x, edges.numbers}, 1);
     return fc(torch::dropout(x, options.dropout, is_training()));
   }
 };

@@ -6,14 +6,22 @@
 #include <memory>
 
 #include "trainer/network/architectures.h"
+#include "trainer/network/orientation_tensors.h"
+#include "trainer/network/precision.h"
 
 namespace cps {
 
 /// A network that predicts eight numbers for each gray image.
 struct Network : torch::nn::Module {
+  /// Of the convolutions in training mode. In evaluation mode all is float32, whatever the network was
+  /// trained in, so that a model predicts the same everywhere.
+  Precision training_precision = Precision::float32;
+
   /// images: [n, 1, h, w], normalised. sizes: [n, 2], height/2160 and width/3840 of the *original* images,
-  /// which distinguish a reduced image from a small one. Returns [n, 8], standardised outputs.
-  virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes) = 0;
+  /// which distinguish a reduced image from a small one. orientation: for a network that takes it, else
+  /// ignored. Returns [n, 8] float32, standardised outputs.
+  virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes,
+                                const OrientationTensors& orientation = {}) = 0;
 
   /// The device of its weights, where images must be, too.
   torch::Device device() const { return parameters().front().device(); }
@@ -23,12 +31,16 @@ struct NetworkOptions {
   double dropout = 0;         ///< of the features before the last layer
   bool size_features = true;  ///< append the two size numbers to the pooled features; otherwise ignore them
   bool edge_channel = false;  ///< feed the first layer with_sobel_edges() of the images
+  /// Take the orientation of edges: its planes, through a convolution of their own, are added to the result
+  /// of the first one, and its numbers are appended to the pooled features.
+  bool orientation = false;
 };
 
 /// Builds a deep residual network (He, Zhang, Ren, Sun 2016; with the stride on the 3×3 convolution of a
 /// bottleneck, as in torchvision) for one gray channel (and its edges), with one last layer `fc`. Parameters
-/// and buffers have torchvision's names. Initial weights come from torch's global generator: seed it first.
-/// `fc` starts at zero, so an untrained network predicts the training mean.
+/// and buffers have torchvision's names; the convolution of the orientation is `orientation`. Initial weights
+/// come from torch's global generator: seed it first. `fc` starts at zero, so an untrained network predicts
+/// the training mean.
 std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options);
 
 }  // namespace cps

@@ -35,6 +35,8 @@ void start_from(Network& network, NamedTensors weights, const std::filesystem::p
     if (kernels.size(1) == 1 && own["conv1.weight"].size(1) == 2)
       kernels = torch::cat({kernels, torch::zeros_like(kernels)}, 1);
   }
+  if (own.contains("orientation.weight") && !weights.contains("orientation.weight"))
+    weights["orientation.weight"] = torch::zeros_like(own["orientation.weight"]);
   for (const char* last : {"fc.weight", "fc.bias"})
     if (const auto found = weights.find(last);
         found == weights.end() || found->second.sizes() != own[last].sizes())

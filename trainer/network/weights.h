@@ -17,9 +17,9 @@ void set_weights(Network& network, const NamedTensors& weights, const std::files
 
 /// Copies weights that a network of this architecture learned on other data, for instance torchvision's on
 /// ImageNet. A first layer for three colours is summed over them, which gives the same result on gray
-/// pictures. Edge channels that `weights` lack start at zero weight. A last layer of another shape keeps the
-/// network's own weights. Throws std::runtime_error that starts with `file` if another tensor is missing or
-/// of another shape.
+/// pictures. Edge channels and orientation that `weights` lack start at zero weight. A last layer of another
+/// shape keeps the network's own weights. Throws std::runtime_error that starts with `file` if another tensor
+/// is missing or of another shape.
 void start_from(Network& network, NamedTensors weights, const std::filesystem::path& file);
 
 }  // namespace cps

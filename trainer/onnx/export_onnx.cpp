@@ -21,8 +21,17 @@ OnnxGraph graph_of(const Network& network, const ModelCard& card) {
   graph.inputs = {{image, "gray pixels of the reduced images, 0 to 255", {"N", 1, "H", "W"}},
                   {size, "height and width of the original images, pixels", {"N", 2}}};
   const std::string input = add_input_layers(graph, image, card.pixels, options.edge_channel);
-  const std::string outputs = add_resnet(graph, input, size, *find_architecture(options.architecture),
-                                         network_options(options), weights_of(network));
+  OrientationInputs orientation;
+  if (options.orientation.measured) {
+    const std::string tilt = "edge_tilt", confidence = "edge_confidence", fit = "edge_fit";
+    graph.inputs.push_back({tilt, "tilts of near-vertical and near-horizontal edges", {"N", 2, "H2", "W2"}});
+    graph.inputs.push_back({confidence, "confidences in these tilts, 0 to 1", {"N", 2, "H2", "W2"}});
+    graph.inputs.push_back({fit, "numbers of the fits to these tilts", {"N", orientation_number_count}});
+    orientation = add_orientation_layers(graph, tilt, confidence, fit, card.orientation);
+  }
+  const std::string outputs =
+      add_resnet(graph, input, size, orientation, *find_architecture(options.architecture),
+                 network_options(options), weights_of(network));
   add_label_outputs(graph, outputs, size, card.targets, options.target_space);
   return graph;
 }

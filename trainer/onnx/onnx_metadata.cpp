@@ -14,6 +14,31 @@ std::string size_rule(const Reduction& reduction) {
   return "each side is max(1, round(scale * original side)), halves rounded up; scale = " + scale;
 }
 
+void add_orientation(std::vector<std::pair<std::string, std::string>>& metadata,
+                     const OrientationOptions& orientation) {
+  metadata.insert(
+      metadata.end(),
+      {{"orientation", "true"},
+       {"input_edges",
+        fmt::format(
+            "inputs edge_tilt, edge_confidence, edge_fit, of the gray picture before reduction (first "
+            "area-averaged to width {}, or to the network's image if that is larger, where it is wider): slopes gx, gy by "
+            "Scharr's 3x3 operator (3 10 3) at all pixels but the outermost; near-vertical edges where "
+            "gx^2 > 16 gy^2, near-horizontal ones where gy^2 > 16 gx^2; a pixel belongs to the cell that holds "
+            "its centre, of ceil(W / 2) x ceil(H / 2) equal cells",
+            orientation.max_width)},
+       {"input_edge_tilt",
+        "float32 [N, 2, H2, W2], H2 = ceil(H / 2), W2 = ceil(W / 2): sum(gx gy) / sum(gx^2) over a cell's "
+        "near-vertical edges, sum(gx gy) / sum(gy^2) over its near-horizontal ones; 0 where there are none; "
+        "rounded to 1 / 508"},
+       {"input_edge_confidence",
+        "float32 [N, 2, H2, W2]: sqrt(w / (w + m)), w = sum(gx^2) over a cell's near-vertical edges or "
+        "sum(gy^2) over its near-horizontal ones, m = the picture's sum(gx^2 + gy^2) / number of cells; "
+        "rounded to 1 / 127"},
+       {"input_edge_fit", fmt::format("float32 [N, 28], see docs/formats.md of cps: {}",
+                                      fmt::join(orientation_number_names, " "))}});
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> onnx_metadata(const ModelCard& card,
@@ -21,7 +46,7 @@ std::vector<std::pair<std::string, std::string>> onnx_metadata(const ModelCard& 
   const TrainOptions& options = card.options;
   std::array<const char*, output_count> units;
   for (int i = 0; i < output_count; ++i) units[i] = label_outputs[i].unit;
-  return {
+  std::vector<std::pair<std::string, std::string>> metadata{
       {"input_image",
        "float32 [N, 1, H, W]: gray pixels, 0 black to 255 white; images of one size to a batch"},
       {"input_gray",
@@ -61,6 +86,8 @@ std::vector<std::pair<std::string, std::string>> onnx_metadata(const ModelCard& 
       {"dataset_hash", card.dataset_hash},
       {"weights_sha256", weights_sha256},
   };
+  if (options.orientation.measured) add_orientation(metadata, options.orientation);
+  return metadata;
 }
 
 }  // namespace cps

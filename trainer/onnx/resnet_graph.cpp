@@ -12,6 +12,18 @@ std::string add_tensor(OnnxGraph& graph, const std::string& name, const torch::T
   return add_constant(graph, name, flat.sizes().vec(), std::vector<float>(first, first + flat.numel()));
 }
 
+/// (value − mean) / deviation, each in the given shape.
+template <std::size_t Count>
+std::string add_normalisation(OnnxGraph& graph, const std::string& value, std::vector<std::int64_t> shape,
+                              const std::array<double, Count>& mean,
+                              const std::array<double, Count>& deviation) {
+  const auto constant = [&](const char* name, const std::array<double, Count>& numbers) {
+    return add_constant(graph, value + name, shape, std::vector<float>(numbers.begin(), numbers.end()));
+  };
+  const std::string centred = add_node(graph, "Sub", {value, constant(".mean", mean)}, value + ".centred");
+  return add_node(graph, "Div", {centred, constant(".deviation", deviation)}, value + ".normalised");
+}
+
 /// Layers by the names of their modules.
 struct Layers {
   OnnxGraph& graph;
@@ -78,11 +90,26 @@ std::string add_input_layers(OnnxGraph& graph, const std::string& image, const P
   return add_node(graph, "Concat", {input, edges}, "image_and_edges", {{"axis", std::int64_t{1}}});
 }
 
+OrientationInputs add_orientation_layers(OnnxGraph& graph, const std::string& tilt,
+                                         const std::string& confidence, const std::string& fit,
+                                         const OrientationStatistics& by) {
+  const std::string weighted = add_node(graph, "Mul", {tilt, confidence}, "edge_tilt.weighted");
+  const std::string planes =
+      add_node(graph, "Concat", {weighted, confidence}, "edge_planes", {{"axis", std::int64_t{1}}});
+  return {
+      add_normalisation(graph, planes, {1, orientation_plane_count, 1, 1}, by.plane_mean, by.plane_deviation),
+      add_normalisation(graph, fit, {orientation_number_count}, by.number_mean, by.number_deviation)};
+}
+
 std::string add_resnet(OnnxGraph& graph, const std::string& input, const std::string& size,
-                       const Architecture& architecture, const NetworkOptions& options,
-                       const NamedTensors& weights) {
+                       const OrientationInputs& orientation, const Architecture& architecture,
+                       const NetworkOptions& options, const NamedTensors& weights) {
   Layers layers{graph, weights};
-  std::string x = layers.relu("relu", layers.batch_norm("bn1", layers.convolution("conv1", input, 2)));
+  std::string x = layers.convolution("conv1", input, 2);
+  if (options.orientation)
+    x = add_node(graph, "Add", {x, layers.convolution("orientation", orientation.planes, 1)},
+                 "conv1_and_orientation");
+  x = layers.relu("relu", layers.batch_norm("bn1", x));
   if (architecture.max_pool)
     x = add_node(graph, "MaxPool", {x}, "maxpool",
                  {{"kernel_shape", std::vector<std::int64_t>{3, 3}},
@@ -100,6 +127,9 @@ std::string add_resnet(OnnxGraph& graph, const std::string& input, const std::st
     x = add_node(graph, "Concat", {x, add_node(graph, "Div", {size, unit}, "size_features")},
                  "features_and_size", {{"axis", std::int64_t{1}}});
   }
+  if (options.orientation)
+    x = add_node(graph, "Concat", {x, orientation.numbers}, "features_and_orientation",
+                 {{"axis", std::int64_t{1}}});
   return add_node(graph, "Gemm", {x, layers.weight("fc.weight"), layers.weight("fc.bias")}, "fc",
                   {{"transB", std::int64_t{1}}});
 }

@@ -15,6 +15,10 @@ std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Devic
   if (its.reduction != student.reduction)
     throw std::runtime_error("teacher " + student.teacher +
                              ": takes images of another size: train with its width and reduce");
+  if (its.orientation.measured && its.orientation != student.orientation)
+    throw std::runtime_error(
+        "teacher " + student.teacher +
+        ": takes the orientation of edges: train with its orientation and orientation-width");
   for (const std::string& name : student.outputs)
     if (std::ranges::find(its.outputs, name) == its.outputs.end())
       throw std::runtime_error("teacher " + student.teacher + ": has not learned " + name +

@@ -11,6 +11,7 @@
 #include "random/counter_hash.h"
 #include "trainer/images/batches.h"
 #include "trainer/network/inference.h"
+#include "trainer/training/batch_loader.h"
 #include "trainer/training/batch_loss.h"
 #include "trainer/training/distillation.h"
 #include "trainer/training/step_sums.h"
@@ -78,9 +79,13 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
   const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
   const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);
   const std::size_t per_step = options.batches_per_step, steps = (batches.size() + per_step - 1) / per_step;
+  // Those that this process computes: every step's number of batches is a multiple of that of the processes.
+  std::vector<Batch> own;
+  for (std::size_t b = ranks.rank; b < batches.size(); b += ranks.count) own.push_back(batches[b]);
+  BatchLoader loader(set, std::move(own), card, report.epoch);
   const torch::Device device = state.network->device();
   std::vector<torch::Tensor> parameters = state.network->parameters();
-  double loss_sum = 0, loader_seconds = 0;
+  double loss_sum = 0;
   for (std::size_t step = 0; step < steps; ++step) {
     const double progress = report.epoch - 1 + (step + 1.0) / steps;
     report.learning_rate = learning_rate_at(options, progress, state.planned_epochs);
@@ -93,22 +98,18 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
     for (std::size_t b = step * per_step + ranks.rank; b < end; b += ranks.count) {
       if (sums) sums->begin_batch();
       torch::manual_seed(random_bits(noise, b));
-      const auto loading = Clock::now();
-      const std::vector<ShownImage> shown = show(set, batches[b], options, report.epoch);
-      const std::vector<BatchImage> images = network_images(shown);
-      const torch::Tensor pixels = image_tensor(images, card.pixels);
-      loader_seconds += seconds_since(loading);
-      const torch::Tensor predicted =
-          state.network->forward(pixels.to(device), size_tensor(images).to(device));
-      torch::Tensor loss = batch_loss(predicted, truth_of(shown), card);
+      const LoadedBatch batch = loader.next();
+      const torch::Tensor predicted = state.network->forward(batch.pixels.to(device), batch.sizes.to(device),
+                                                             batch.orientation.to(device));
+      torch::Tensor loss = batch_loss(predicted, truth_of(batch.shown), card);
       if (teacher) {
         const double share = options.teacher_weight;
-        loss = loss * (1 - share) + distillation_loss(predicted, *teacher, images, card) * share;
+        loss = loss * (1 - share) + distillation_loss(predicted, *teacher, batch.images, card) * share;
       }
       // Reset rather than zeroed: backward() then stores gradients instead of adding them.
       for (torch::Tensor& parameter : parameters) parameter.mutable_grad().reset();
       loss.backward();
-      const double loss_of_images = loss.item<double>() * static_cast<double>(batches[b].size());
+      const double loss_of_images = loss.item<double>() * static_cast<double>(batch.shown.size());
       if (sums)
         sums->add_batch(loss_of_images);
       else
@@ -124,14 +125,15 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
   report.training_loss = loss_sum / images;
   const double seconds = seconds_since(start);
   report.images_per_second = images / seconds;
-  report.loader_share = loader_seconds / seconds;
+  report.loader_share = loader.waited_seconds() / seconds;
 }
 
 void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
   std::vector<BatchImage> images;
   for (std::size_t i = 0; i < samples.targets.size(); ++i)
-    images.push_back({samples.cache.images[i], samples.cache.originals[i]});
-  const std::vector<Outputs> predicted = run_network(network, images, card.pixels, card.options.batch_size);
+    images.push_back(
+        {samples.cache.images[i], samples.cache.originals[i], false, samples.cache.orientations[i]});
+  const std::vector<Outputs> predicted = run_network(network, images, card);
   const double n = static_cast<double>(predicted.size());
   for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
     report.validation_loss +=

@@ -14,8 +14,9 @@ class Predictor;
 /// Trains on each training image once, in this epoch's order. A step uses the mean gradient of
 /// options.batches_per_step batches, each with its own batch normalisation; the processes divide them and all
 /// get the same weights. The running statistics of batch normalisation are the mean over the step's batches.
-/// `teacher` may be null. report.epoch is given; sets the report's learning rate, training loss, rate and
-/// loader share.
+/// Images are prepared one batch ahead, on another thread; what that throws, this throws. `teacher` may be
+/// null. report.epoch is given; sets the report's learning rate, training loss, rate and loader share.
+/// options.batches_per_step must be a multiple of the number of processes.
 void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
                  const Predictor* teacher, const Ranks& ranks, EpochReport& report);
 

@@ -14,7 +14,7 @@ struct EpochReport {
   double validation_cosine = 0;  ///< mean cosine similarity of standardised prediction and truth
   double validation_hfov_mae_deg = 0;
   double images_per_second = 0;  ///< while training
-  double loader_share = 0;       ///< fraction of the training time spent on preparing images
+  double loader_share = 0;       ///< fraction of the training time spent waiting for images
   double seconds_left = 0;
   bool is_best = false;  ///< smallest validation loss so far: these weights were kept
 };

@@ -7,6 +7,7 @@
 #include "dataset/pixels/image_file.h"
 #include "distortion/label_algebra.h"
 #include "trainer/images/master_cache.h"
+#include "trainer/images/orientation/measure.h"
 #include "trainer/training/online_lens.h"
 
 namespace cps {
@@ -27,6 +28,8 @@ struct OnlineImages {
     ShownImage image{.pixels = area_average(whole, reduced_size(whole.size, options.reduction)),
                      .original = {lens.crop.camera.width, lens.crop.camera.height},
                      .is_mirrored = options.mirror && is_mirrored(options.seed, epoch, i)};
+    if (options.orientation.measured)
+      image.measured = measured_picture(whole, image.pixels.size, options.orientation.max_width);
     CalibratedCamera camera{"", lens.crop.camera, lens.distortion};
     if (image.is_mirrored) camera = mirrored_left_right(camera);
     image.target = to_outputs(camera, options.target_space);
@@ -45,12 +48,15 @@ void add_statistics(TrainingSet& set) {
     batch.push_back(static_cast<int>(static_cast<std::int64_t>(n) * masters / count));
   const std::vector<ShownImage> shown = show(set, batch, TrainOptions{}, 0);
   std::vector<GrayView> pixels;
+  std::vector<OrientationView> orientations;
   std::vector<Outputs> targets;
   for (const ShownImage& image : shown) {
     pixels.push_back({image.pixels.size, image.pixels.pixels.data()});
+    if (!image.orientation.planes.empty()) orientations.push_back(view_of(image.orientation));
     targets.push_back(image.target);
   }
   set.pixels = pixel_statistics(pixels);
+  if (!orientations.empty()) set.orientation = orientation_statistics(orientations);
   set.targets = fit_standardisation(targets);
 }
 

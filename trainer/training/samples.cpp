@@ -23,7 +23,7 @@ namespace {
 ImageCache usable_images(const Dataset& dataset, std::vector<int>& images, const SampleOptions& options,
                          const std::filesystem::path& cache_file, std::vector<std::string>& skipped) {
   for (;;) try {
-      return load_image_cache(dataset, images, options.reduction, cache_file);
+      return load_image_cache(dataset, images, options.reduction, cache_file, options.orientation);
     } catch (const BadBlobs& bad) {
       if (!options.skip_bad_images || bad.positions.size() == images.size()) throw;
       leave_out(bad, images, skipped);

@@ -29,6 +29,7 @@ struct Samples {
 struct SampleOptions {
   TargetSpace space = TargetSpace::apparent;
   Reduction reduction;
+  OrientationOptions orientation{};
   bool with_rays = false;        ///< for the reprojection loss
   bool skip_bad_images = false;  ///< leave out images that load_image_cache() refuses
 };

@@ -74,6 +74,7 @@ Samples load_part(const Dataset& dataset, Part part, const TrainOptions& options
   return load_samples(dataset, part,
                       {.space = options.target_space,
                        .reduction = options.reduction,
+                       .orientation = options.orientation,
                        .with_rays = options.loss == Loss::reprojection,
                        .skip_bad_images = options.skip_bad_images},
                       cache);
@@ -115,7 +116,12 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   summary.validation_images = card.validation_images = static_cast<int>(validation.targets.size());
   // Inputs and outputs are standardised by the training images alone.
   card.pixels = training.pixels;
+  card.orientation = training.orientation;
   card.targets = training.targets;
+  const bool computes_bfloat16 = device == Device::cpu && processor_computes_bfloat16();
+  card.options.precision =
+      chosen_precision(card.options.precision, ranks.sum(computes_bfloat16) == ranks.count);
+  summary.precision = card.options.precision;
 
   TrainingState state = resume ? load_training_state(card.options, model_folder / "state.pt")
                                : fresh_training_state(card.options);

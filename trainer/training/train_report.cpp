@@ -25,10 +25,12 @@ std::string to_string(const EpochReport& r) {
 std::string TrainSummary::brief_report() const {
   return fmt::format(
       "trained on {} images, validated on {}, {:.2f} M parameters; {} of {} epochs in {} (images ready after {});\n"
+      "{}\n"
       "best epoch {}: val loss {:.4f}, cosine {:+.3f}, H-FOV MAE {:.2f} deg",
       training_images, validation_images, static_cast<double>(parameters) / 1e6, epochs.size(),
       epochs.empty() ? 0 : epochs.back().planned_epochs, duration(train_seconds), duration(decode_seconds),
-      best.epoch, best.validation_loss, best.validation_cosine, best.validation_hfov_mae_deg);
+      precision_report(precision, processor_computes_bfloat16()), best.epoch, best.validation_loss,
+      best.validation_cosine, best.validation_hfov_mae_deg);
 }
 
 }  // namespace cps

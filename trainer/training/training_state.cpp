@@ -4,6 +4,7 @@
 
 #include "random/counter_hash.h"
 #include "trainer/model/make_network.h"
+#include "trainer/network/autocast.h"
 #include "trainer/network/weights.h"
 
 namespace cps {
@@ -18,6 +19,8 @@ TrainingState fresh_training_state(const TrainOptions& options) {
     state.average = make_network(options);
     set_weights(*state.average, weights_of(*state.network), "");
   }
+  state.network->training_precision = options.precision;
+  if (options.precision == Precision::bfloat16) use_channels_last(*state.network);
   state.optimizer = std::make_unique<torch::optim::AdamW>(
       state.network->parameters(),
       torch::optim::AdamWOptions(options.learning_rate).weight_decay(options.weight_decay));

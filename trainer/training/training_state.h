@@ -26,7 +26,8 @@ struct TrainingState {
 };
 
 /// The state before the first step, on the CPU: weights drawn from options.seed, or read from
-/// options.initial_weights. Throws std::runtime_error with one line if that file cannot be used.
+/// options.initial_weights; they do not depend on options.precision, which must not be `automatic`. Throws
+/// std::runtime_error with one line if that file cannot be used.
 TrainingState fresh_training_state(const TrainOptions& options);
 
 /// Updates the running mean of the weights after a step: it moves towards the network's weights by the factor

@@ -13,6 +13,8 @@ namespace {
 
 /// Version 1 had no number, and the history without names.
 constexpr std::int64_t state_version = 2;
+/// 1 for a network trained in bfloat16. States from before this existed lack it and were trained in float32.
+const std::string precision_name = "bfloat16";
 const std::string network_prefix = "network.", average_prefix = "average.", history_prefix = "history.";
 
 /// The tensors whose name begins with `prefix`, without it.
@@ -55,6 +57,12 @@ torch::Tensor integer(std::int64_t value) {
   return torch::tensor(value, torch::kLong);
 }
 
+Precision precision_of(const NamedTensors& state) {
+  const auto found = state.find(precision_name);
+  const bool is_bfloat16 = found != state.end() && found->second.numel() == 1 && found->second.item<bool>();
+  return is_bfloat16 ? Precision::bfloat16 : Precision::float32;
+}
+
 }  // namespace
 
 void save_training_state(const TrainingState& state, const std::filesystem::path& file) {
@@ -69,6 +77,7 @@ void save_training_state(const TrainingState& state, const std::filesystem::path
   const std::string bytes = moments.str();
   tensors["optimizer"] =
       torch::from_blob(const_cast<char*>(bytes.data()), {static_cast<long>(bytes.size())}, torch::kUInt8);
+  if (state.network->training_precision == Precision::bfloat16) tensors[precision_name] = integer(1);
   tensors["planned_epochs"] = integer(state.planned_epochs);
   tensors["steps"] = integer(state.steps);
   add_part(tensors, history_prefix, to_columns(state.epochs));
@@ -82,6 +91,10 @@ TrainingState load_training_state(const TrainOptions& of_model, const std::files
                                                     version->second.item<std::int64_t>() != state_version)
     throw std::runtime_error(file.string() +
                              ": was written by another version of cps: train again without --resume");
+  if (const Precision used = precision_of(tensors); used != of_model.precision)
+    throw std::runtime_error(file.string() + ": precision: the training used " + to_string(used) +
+                             " and model.json says " + to_string(of_model.precision) +
+                             ": restore the file of this training");
   TrainOptions options = of_model;
   options.initial_weights.clear();  // the state holds what they have become
   TrainingState state = fresh_training_state(options);

@@ -36,9 +36,24 @@ TEST_CASE(
   nlohmann::json json = nlohmann::json::parse(to_json(TrainOptions{}).dump());
   json.erase("teacher");
   json.erase("online_lenses");
+  json.erase("precision");
   CHECK(train_options_from_json(json) == TrainOptions{});
   json.erase("architecture");
   CHECK_THROWS_AS(train_options_from_json(json), nlohmann::json::exception);
+}
+
+TEST_CASE("a precision is a word in JSON and other words are refused") {
+  TrainOptions options;
+  options.precision = Precision::bfloat16;
+  nlohmann::json json = nlohmann::json::parse(to_json(options).dump());
+  CHECK(json.at("precision") == "bfloat16");
+  CHECK(train_options_from_json(json) == options);
+  json["precision"] = "float64";
+  CHECK_THROWS_WITH(train_options_from_json(json),
+                    "precision 'float64': unknown: use auto, float32 or bfloat16");
+  // Presets from before the option keep the weights that they had.
+  for (const TrainPreset& preset : train_presets())
+    CHECK((preset.options.precision == Precision::float32) == (preset.name != "reference"));
 }
 
 TEST_CASE("the thesis' presets are those of the table in docs/models.md") {
@@ -111,6 +126,8 @@ TEST_CASE("absurd options are refused by name") {
   CHECK_THAT(refusal([](TrainOptions& o) { o.ema_decay = 1; }), Catch::StartsWith("ema"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.augmentation.probability = 2; }), Catch::StartsWith("augment"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.teacher_weight = 1.5; }), Catch::StartsWith("teacher-weight"));
+  CHECK_THAT(refusal([](TrainOptions& o) { o.orientation.max_width = 8; }),
+             Catch::StartsWith("orientation-width"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.online_zoom = .5; }), Catch::StartsWith("online-zoom"));
   CHECK_THROWS_WITH(loss_from_string("l1"), Catch::Contains("huber"));
   CHECK_THAT(refusal([](TrainOptions& o) { o.milestones = {.5, 1.5}; }), Catch::StartsWith("milestones"));

@@ -37,6 +37,30 @@ TEST_CASE("parameter counts are torchvision's, less two input channels and with 
   CHECK(parameter_count(*resnet("resnet34-nopool")) == expected(21'797'672, 512));
 }
 
+TEST_CASE("parameter counts of narrow and shallow networks are those of a formula in their width") {
+  // With basic blocks, c channels and c/2 before them: the first block of a stage has 9·c²/2 + 9·c² weights,
+  // and c²/2 of its shortcut; each other block 18·c². A normalisation has 2·c. The first stage has no
+  // shortcut.
+  const auto one_block = [](std::int64_t w) { return 1194 * w * w + 203 * w + 24; };
+  const auto two_blocks = [](std::int64_t w) { return 2724 * w * w + 263 * w + 24; };
+  CHECK(two_blocks(64) == expected(11'689'512, 512));  // the formula for torchvision's own
+  CHECK(parameter_count(*resnet("resnet18-32")) == two_blocks(32));
+  CHECK(parameter_count(*resnet("resnet18-16")) == two_blocks(16));
+  CHECK(parameter_count(*resnet("resnet10-32")) == one_block(32));
+}
+
+TEST_CASE("narrow networks have the names of wide ones and refuse their weights") {
+  const NamedTensors wide = weights_of(*resnet("resnet18")), narrow = weights_of(*resnet("resnet18-32"));
+  REQUIRE(narrow.size() == wide.size());
+  for (const auto& [name, tensor] : narrow) CHECK(wide.contains(name));
+  CHECK(narrow.at("layer4.1.conv2.weight").sizes().vec() == std::vector<std::int64_t>{256, 256, 3, 3});
+  CHECK(narrow.at("fc.weight").sizes().vec() == std::vector<std::int64_t>{8, 258});
+  CHECK_THROWS_WITH(set_weights(*resnet("resnet18-32"), wide, "model/weights.pt"),
+                    Catch::Contains("another architecture"));
+  CHECK_THROWS_WITH(start_from(*resnet("resnet18-16"), narrow, "narrow.pt"),
+                    Catch::StartsWith("narrow.pt: "));
+}
+
 TEST_CASE("parameters and buffers carry torchvision's names and shapes") {
   // resnet18().state_dict(): conv1, bn1, then per block conv1 bn1 conv2 bn2, and downsample 0 1 where the
   // stage halves.

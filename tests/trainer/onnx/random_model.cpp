@@ -34,6 +34,20 @@ void randomise(Network& network, bool bottleneck) {
   }
 }
 
+/// Another mean and deviation for every plane and number.
+OrientationStatistics some_orientation() {
+  OrientationStatistics statistics;
+  for (int i = 0; i < orientation_plane_count; ++i) {
+    statistics.plane_mean[i] = .01 * (i - 1);
+    statistics.plane_deviation[i] = .02 * (i + 1);
+  }
+  for (int i = 0; i < orientation_number_count; ++i) {
+    statistics.number_mean[i] = .003 * (i - 10);
+    statistics.number_deviation[i] = .02 + .01 * i;
+  }
+  return statistics;
+}
+
 }  // namespace
 
 void write_random_model(const std::filesystem::path& folder, const TrainOptions& options) {
@@ -43,6 +57,7 @@ void write_random_model(const std::filesystem::path& folder, const TrainOptions&
   save_tensors(weights_of(*network), folder / "weights.pt");
   save_model_card({.options = options,
                    .pixels = {.mean = 111.7, .deviation = 57.3},
+                   .orientation = some_orientation(),
                    .targets = {.mean = {1.3, -.08, .02, -.003, .0004, -.0003, .503, .497},
                                .deviation = {.15, .1, .05, .02, .002, .003, .02, .03}},
                    .dataset = "data",

@@ -61,6 +61,21 @@ TEST_CASE("an ONNX file names its inputs, and as outputs the eight labels in the
   CHECK(model.metadata.at("weights_sha256") == sha256(read_file(folder.path / "weights.pt")));
 }
 
+TEST_CASE("a network with orientation has three inputs more") {
+  const TemporaryFolder folder;
+  TrainOptions options = with_edges();
+  options.orientation.measured = true;
+  const ReadModel model = read_onnx(random_onnx(folder.path, options));
+  REQUIRE(model.inputs.size() == 5);
+  CHECK(model.inputs[2].name == "edge_tilt");
+  CHECK(model.inputs[2].shape == std::vector<std::string>{"N", "2", "H2", "W2"});
+  CHECK(model.inputs[3].name == "edge_confidence");
+  CHECK(model.inputs[3].shape == std::vector<std::string>{"N", "2", "H2", "W2"});
+  CHECK(model.inputs[4].name == "edge_fit");
+  CHECK(model.inputs[4].shape == std::vector<std::string>{"N", "28"});
+  CHECK(model.metadata.at("orientation") == "true");
+}
+
 TEST_CASE("an ONNX file holds the weights bit for bit under their names, and nothing that is not used") {
   const TemporaryFolder folder;
   const ReadModel model = read_onnx(random_onnx(folder.path, with_edges()));

@@ -52,6 +52,14 @@ TEST_CASE("the metadata say how to make the inputs, what the outputs are, and wh
   CHECK(metadata["weights_sha256"] == "abc");
   for (const auto& [name, text] : metadata) CHECK_THAT(text, !Catch::Contains("somebody"));
 
+  CHECK_FALSE(metadata.contains("orientation"));
+  card.options.orientation = {.measured = true, .max_width = 777};
+  metadata = metadata_of(card);
+  CHECK(metadata["orientation"] == "true");
+  CHECK_THAT(metadata["input_edges"], Catch::Contains("width 777"));
+  CHECK_THAT(metadata["input_edge_fit"],
+             Catch::Contains("vertical_tilt_xy") && Catch::EndsWith("horizontal_residual"));
+
   card.options.reduction.factor = 4;
   CHECK_THAT(metadata_of(card)["input_size"], Catch::EndsWith("scale = 1 / 4"));
 }

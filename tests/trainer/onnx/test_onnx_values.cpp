@@ -1,16 +1,38 @@
 #include <torch/types.h>
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "files/files.h"
 #include "tests/temporary_folder.h"
 #include "tests/trainer/onnx/onnx_interpreter.h"
 #include "tests/trainer/onnx/random_model.h"
+#include "trainer/images/network_image.h"
 #include "trainer/model/predictor.h"
 #include "trainer/network/tensor_batch.h"
 #include "trainer/onnx/export_onnx.h"
 
 using namespace cps;
+
+namespace {
+
+/// The inputs for the orientation, as docs/formats.md describes them.
+void add_edges(std::map<std::string, torch::Tensor>& inputs, const std::vector<NetworkImage>& images) {
+  std::vector<torch::Tensor> tilts, confidences, fits;
+  for (const NetworkImage& image : images) {
+    const Orientation& edges = image.orientation;
+    const torch::Tensor planes = torch::tensor(std::vector<float>(edges.planes.begin(), edges.planes.end()))
+                                     .view({orientation_plane_count, edges.grid.height, edges.grid.width});
+    tilts.push_back(planes.slice(0, 0, 2) / 508);
+    confidences.push_back(planes.slice(0, 2, 4) / 127);
+    fits.push_back(torch::tensor(std::vector<float>(edges.numbers.begin(), edges.numbers.end())));
+  }
+  inputs["edge_tilt"] = torch::stack(tilts);
+  inputs["edge_confidence"] = torch::stack(confidences);
+  inputs["edge_fit"] = torch::stack(fits);
+}
+
+}  // namespace
 
 TEST_CASE("the graph computes the predictor's labels") {
   const TemporaryFolder folder;
@@ -20,7 +42,7 @@ TEST_CASE("the graph computes the predictor's labels") {
   const auto [architecture, all_inputs] =
       GENERATE(table<std::string, bool>({{"resnet18", false}, {"resnet50", true}}));
   options.architecture = architecture;
-  options.size_features = options.edge_channel = all_inputs;
+  options.size_features = options.edge_channel = options.orientation.measured = all_inputs;
   options.target_space = all_inputs ? TargetSpace::apparent : TargetSpace::raw;
   INFO(architecture);
   write_random_model(folder.path, options);
@@ -31,16 +53,18 @@ TEST_CASE("the graph computes the predictor's labels") {
   // Two batches of different sizes, one image in the first, two in the second.
   std::vector<double> fields_of_view;
   for (const auto& [height, count] : {std::pair{54, 1}, std::pair{72, 2}}) {
-    std::vector<GrayImage> reduced;
+    std::vector<NetworkImage> reduced;
     std::vector<BatchImage> batch;
     const ImageSize original{96, height};
     for (int i = 0; i < count; ++i)
-      reduced.push_back(area_average(numbered_street(height, i), reduced_size(original, options.reduction)));
-    for (const GrayImage& image : reduced) batch.push_back({{image.size, image.pixels.data()}, original});
+      reduced.push_back(network_image(numbered_street(height, i), options.reduction, options.orientation));
+    for (const NetworkImage& image : reduced) batch.push_back(batch_image(image, original));
 
-    const auto computed =
-        run_onnx(model, {{"image", image_tensor(batch, {.mean = 0, .deviation = 1})},
-                         {"size", torch::tensor({{float(height), 96.f}}).expand({count, 2})}});
+    std::map<std::string, torch::Tensor> inputs{
+        {"image", image_tensor(batch, {.mean = 0, .deviation = 1})},
+        {"size", torch::tensor({{float(height), 96.f}}).expand({count, 2})}};
+    if (options.orientation.measured) add_edges(inputs, reduced);
+    const auto computed = run_onnx(model, inputs);
     const std::vector<Outputs> predicted = predictor(batch);
     for (int i = 0; i < count; ++i) {
       const auto camera = to_camera(predicted[i], options.target_space, original.width, original.height);

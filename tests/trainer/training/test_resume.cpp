@@ -3,6 +3,7 @@
 #include "files/files.h"
 #include "tests/temporary_folder.h"
 #include "tests/trainer/street.h"
+#include "trainer/model/model_card.h"
 #include "trainer/training/train.h"
 
 using namespace cps;
@@ -62,6 +63,54 @@ TEST_CASE("a resumed run gives the same weights, bit for bit") {
   const std::string state = read_file(folder.path / "whole/state.pt");
   train(dataset, folder.path / "whole", {}, true, {});
   CHECK(read_file(folder.path / "whole/state.pt") == state);
+}
+
+TEST_CASE("a run in bfloat16 resumes bit for bit in the precision that it recorded") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(folder.path / "data", small());
+  TrainOptions options = four_epochs();
+  options.architecture = "resnet18-16";
+  options.epochs = 3;
+  options.precision = Precision::bfloat16;
+  const TrainSummary whole = train(dataset, folder.path / "whole", options, false, {});
+  CHECK_THAT(whole.brief_report(), Catch::Contains("precision bfloat16"));
+
+  const auto once = [](const EpochReport&) { return false; };
+  train(dataset, folder.path / "parts", options, false, once);
+  CHECK(load_model_card(folder.path / "parts").options.precision == Precision::bfloat16);
+  const TrainSummary parts = train(dataset, folder.path / "parts", {}, true, {});  // {} asks for float32
+  CHECK(parts.is_finished);
+  CHECK(parts.precision == Precision::bfloat16);
+  CHECK(read_file(folder.path / "whole/weights.pt") == read_file(folder.path / "parts/weights.pt"));
+
+  // It is another training than that in float32, from the same weights.
+  options.precision = Precision::float32;
+  const TrainSummary exact = train(dataset, folder.path / "exact", options, false, {});
+  CHECK(exact.epochs[0].training_loss != whole.epochs[0].training_loss);
+  CHECK(exact.epochs[0].training_loss == Approx(whole.epochs[0].training_loss).epsilon(.05));
+  CHECK_THAT(exact.brief_report(), Catch::Contains("precision float32"));
+}
+
+TEST_CASE("the precision auto is recorded as what it became and a state of another is refused") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(folder.path / "data", small());
+  TrainOptions options = four_epochs();
+  options.architecture = "resnet10-32";
+  options.epochs = 2;
+  options.precision = Precision::automatic;
+  const auto once = [](const EpochReport&) { return false; };
+  const TrainSummary summary = train(dataset, folder.path / "model", options, false, once);
+  ModelCard card = load_model_card(folder.path / "model");
+  CHECK(card.options.precision == summary.precision);
+  const Precision expected = processor_computes_bfloat16() ? Precision::bfloat16 : Precision::float32;
+  CHECK(summary.precision == expected);
+
+  card.options.precision = expected == Precision::float32 ? Precision::bfloat16 : Precision::float32;
+  save_model_card(card, folder.path / "model");
+  CHECK_THROWS_WITH(train(dataset, folder.path / "model", {}, true, {}),
+                    Catch::Contains("state.pt: precision: the training used " + to_string(expected)) &&
+                        Catch::Contains("model.json says " + to_string(card.options.precision)) &&
+                        !Catch::Contains("\n"));
 }
 
 TEST_CASE("a model is neither overwritten nor resumed with another dataset") {

@@ -1,0 +1,52 @@
+#include <catch2/catch.hpp>
+
+#include "files/files.h"
+#include "tests/temporary_folder.h"
+#include "trainer/model/model_card.h"
+
+using namespace cps;
+
+namespace {
+
+ModelCard card_with_orientation() {
+  ModelCard card;
+  card.options.orientation = {.measured = true, .max_width = 696};
+  for (int i = 0; i < orientation_plane_count; ++i) {
+    card.orientation.plane_mean[i] = .25 + i;
+    card.orientation.plane_deviation[i] = .5 + i;
+  }
+  for (int i = 0; i < orientation_number_count; ++i) {
+    card.orientation.number_mean[i] = .125 + i;
+    card.orientation.number_deviation[i] = .75 + i;
+  }
+  return card;
+}
+
+}  // namespace
+
+TEST_CASE("a card keeps how the orientation is normalised") {
+  const TemporaryFolder folder;
+  const ModelCard card = card_with_orientation();
+  save_model_card(card, folder.path);
+  const ModelCard read = load_model_card(folder.path);
+  CHECK(read.options == card.options);
+  CHECK(read.orientation.plane_mean == card.orientation.plane_mean);
+  CHECK(read.orientation.plane_deviation == card.orientation.plane_deviation);
+  CHECK(read.orientation.number_mean == card.orientation.number_mean);
+  CHECK(read.orientation.number_deviation == card.orientation.number_deviation);
+
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(folder.path / "model.json"));
+  json["input"]["orientation"]["numbers"]["names"][3] = "something else";
+  write_json(folder.path / "model.json", json);
+  CHECK_THROWS_WITH(load_model_card(folder.path), Catch::Contains("numbers.names"));
+  json["input"].erase("orientation");
+  write_json(folder.path / "model.json", json);
+  CHECK_THROWS_WITH(load_model_card(folder.path), Catch::Contains("orientation"));
+}
+
+TEST_CASE("the card of a network without orientation does not mention it") {
+  const TemporaryFolder folder;
+  save_model_card({}, folder.path);
+  CHECK_THAT(read_file(folder.path / "model.json"), !Catch::Contains("orientation"));
+  CHECK(load_model_card(folder.path).options == TrainOptions{});
+}
