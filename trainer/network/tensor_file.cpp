@@ -121,7 +121,8 @@ void save_tensors(const NamedTensors& tensors, const std::filesystem::path& file
   std::vector<torch::Tensor> kept;
   std::string pickle = "\x80\x02}(";
   for (const auto& [name, tensor] : tensors) {
-    kept.push_back(tensor.detach().cpu().contiguous());
+    // Flat first: contiguous() leaves the strides of kernels of one pixel as a channels-last layout had them.
+    kept.push_back(tensor.detach().cpu().contiguous().flatten().view(tensor.sizes()));
     put_text(pickle, name);
     put_tensor(pickle, kept.back(), std::to_string(kept.size() - 1));
   }
