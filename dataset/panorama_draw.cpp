@@ -29,7 +29,8 @@ std::string interval_fault(const char* field, const Interval& interval, double l
 /// The name without an ending like _4k.
 std::string_view place_name(std::string_view name) {
   const std::size_t at = name.find_last_of('_');
-  if (at == name.npos || at + 3 > name.size() || std::tolower(static_cast<unsigned char>(name.back())) != 'k') return name;
+  if (at == name.npos || at + 3 > name.size() || std::tolower(static_cast<unsigned char>(name.back())) != 'k')
+    return name;
   const std::string_view digits = name.substr(at + 1, name.size() - at - 2);
   const bool is_number = std::ranges::all_of(digits, [](unsigned char c) { return std::isdigit(c) != 0; });
   return is_number ? name.substr(0, at) : name;
