@@ -13,7 +13,10 @@ namespace {
 
 OIIO::ImageBuf resized(const OIIO::ImageBuf& image, ImageSize size) {
   // Each source pixel counts in four thumbnail pixels; with the default, Lanczos' filter, it would in 36.
-  constexpr float filter_width = 2;
+  // Its width is in pixels of the result: where the image is enlarged, two source pixels are more of them.
+  const OIIO::ImageSpec& from = image.spec();
+  const float filter_width = 2 * std::max({1.0f, static_cast<float>(size.width) / from.width,
+                                           static_cast<float>(size.height) / from.height});
   return OIIO::ImageBufAlgo::resize(image, "triangle", filter_width,
                                     OIIO::ROI(0, size.width, 0, size.height, 0, 1, 0, 3));
 }

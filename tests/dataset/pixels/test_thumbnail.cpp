@@ -39,6 +39,17 @@ TEST_CASE("a thumbnail is 8-bit sRGB of three channels, whatever the image's for
   CHECK_THROWS_WITH(thumbnail(folder.path / "none.png", {32, 24}), Catch::Contains("none.png"));
 }
 
+TEST_CASE("an image that is smaller than its thumbnail is enlarged without gaps") {
+  const TemporaryFolder folder;
+  write_file(folder.path / "a.png",
+             encode_image(filled(3, OIIO::TypeDesc::UINT8, 0.5f), ImageFormat::png, 95));
+  const OIIO::ImageBuf large = thumbnail(folder.path / "a.png", {420, 315});
+  const auto* pixels = static_cast<const std::uint8_t*>(large.localpixels());
+  int wrong = 0;
+  for (int i = 0; i < 420 * 315 * 3; ++i) wrong += std::abs(pixels[i] - 128) > 1;
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("an encoded thumbnail keeps to its bound, even of noise") {
   OIIO::ImageBuf noise(OIIO::ImageSpec(240, 160, 3, OIIO::TypeDesc::UINT8));
   auto* pixels = static_cast<std::uint8_t*>(noise.localpixels());
