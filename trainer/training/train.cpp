@@ -118,10 +118,12 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   card.pixels = training.pixels;
   card.orientation = training.orientation;
   card.targets = training.targets;
-  const bool computes_bfloat16 = device == Device::cpu && processor_computes_bfloat16();
-  card.options.precision =
-      chosen_precision(card.options.precision, ranks.sum(computes_bfloat16) == ranks.count);
+  const bool on_cpu = device == Device::cpu;
+  const bool computes_bfloat16 = ranks.sum(on_cpu && processor_computes_bfloat16()) == ranks.count;
+  card.options.precision = chosen_precision(card.options.precision, computes_bfloat16);
   summary.precision = card.options.precision;
+  summary.precision_line = on_cpu ? precision_report(summary.precision, computes_bfloat16)
+                                  : "precision " + to_string(summary.precision);
 
   TrainingState state = resume ? load_training_state(card.options, model_folder / "state.pt")
                                : fresh_training_state(card.options);

@@ -20,6 +20,7 @@ struct TrainSummary {
   std::int64_t parameters = 0;
   double decode_seconds = 0, train_seconds = 0;  ///< of this run
   Precision precision = Precision::float32;      ///< in which it computed
+  std::string precision_line;                    ///< says so, and on the CPU what the processors could do
   EpochReport best;
   std::vector<EpochReport> epochs;   ///< all, with those before a resume
   std::vector<std::string> skipped;  ///< one line for each image left out

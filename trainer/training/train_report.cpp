@@ -29,8 +29,7 @@ std::string TrainSummary::brief_report() const {
       "best epoch {}: val loss {:.4f}, cosine {:+.3f}, H-FOV MAE {:.2f} deg",
       training_images, validation_images, static_cast<double>(parameters) / 1e6, epochs.size(),
       epochs.empty() ? 0 : epochs.back().planned_epochs, duration(train_seconds), duration(decode_seconds),
-      precision_report(precision, processor_computes_bfloat16()), best.epoch, best.validation_loss,
-      best.validation_cosine, best.validation_hfov_mae_deg);
+      precision_line, best.epoch, best.validation_loss, best.validation_cosine, best.validation_hfov_mae_deg);
 }
 
 }  // namespace cps
