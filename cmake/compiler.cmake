@@ -6,6 +6,10 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
+# The files of a target are compiled eight at a time, so that the templates of JSON, Eigen and Catch2, most of what compiling
+# costs, are made once for all eight. -DCMAKE_UNITY_BUILD=OFF compiles each file on its own.
+option(CMAKE_UNITY_BUILD "Compile several files of a target at a time" ON)
+
 # One instruction set for every machine and no contraction of a*b+c into fma: a recipe's bytes
 # must not depend on which node of a farm rendered them.
 add_compile_options(-march=x86-64-v3 -ffp-contract=off -Wall -Wextra)

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "numbers/cpu_time.h"
+#include "numbers/wall_time.h"
 #include "production/condition_scene.h"
 #include "production/dense_labels.h"
 #include "production/view_images.h"
@@ -178,15 +179,14 @@ int scenes_in_memory(int threads) {
 MakeViewsSummary make_views(const Plan& plan, const std::vector<std::int64_t>& views, Journal& journal,
                             const std::filesystem::path& root, int threads, const Watch& watch,
                             const LightCacheOptions& cache) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   const double cpu_begin_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
   OIIO::attribute("threads", 1);  // OpenImageIO starts none of its own: all threads are TBB's
   ViewLine line(plan, views, journal, root, threads, watch, cache);
   line.run();
   MakeViewsSummary summary = line.summary();
   summary.threads = threads;
-  summary.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  summary.wall_s = seconds_since(begin);
   summary.cpu_s = cpu_s(CLOCK_PROCESS_CPUTIME_ID) - cpu_begin_s;
   return summary;
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "numbers/wall_time.h"
 #include "renderer/camera_path.h"
 
 namespace cps {
@@ -120,7 +121,7 @@ OIIO::ImageBuf render_samples(const RenderScene& scene, const Camera& camera, co
   const double cpu_s = for_each_tile(
       width, height, [&](const Tile& tile) { rays += tiles.render(tile); }, options.progress);
   if (summary) {
-    summary->wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    summary->wall_s = seconds_since(begin);
     summary->cpu_s = cpu_s;
     summary->samples = static_cast<std::uint64_t>(width) * height * range.count;
     summary->rays = rays.load();

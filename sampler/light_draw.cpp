@@ -6,12 +6,12 @@
 namespace cps {
 namespace {
 
-constexpr int max_attempts = 10'000;
+constexpr int max_moment_attempts = 10'000;
 constexpr int drawn_year = 2025;
 
-enum Drawn : std::uint64_t { weather, haze };
+enum WeatherNumber : std::uint64_t { weather, haze };
 /// Drawn again in each attempt, from a stream of its own.
-enum DrawnMoment : std::uint64_t { day_of_year, hour };
+enum MomentNumber : std::uint64_t { day_of_year, hour };
 
 bool is_between(double value, double low, double high) {
   return value >= low && value <= high;
@@ -73,7 +73,7 @@ DrawnLight draw_light(const LightOptions& options, Stream stream) {
       light.weather == Weather::hazy
           ? random_uniform(stream, haze, options.hazy_turbidity_min, options.hazy_turbidity_max)
           : random_uniform(stream, haze, options.turbidity_min, options.turbidity_max);
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_moment_attempts; ++attempt) {
     light.moment = draw_moment(options, substream(make_stream(stream.key, "moment"), attempt));
     const SolarPosition sun = solar_position(light.moment, options.latitude_deg, options.longitude_deg);
     if (!is_between(sun.elevation_deg, options.sun_elevation_min_deg, options.sun_elevation_max_deg))

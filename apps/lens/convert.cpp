@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-struct Request {
+struct ConvertRequest {
   std::string file, family, camera, size, held, format = "cps";
   fs::path output;
   std::optional<double> max_residual_px;
 };
 
-po::options_description describe(Request& request) {
+po::options_description describe(ConvertRequest& request) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("file", po::value(&request.file)->value_name("FILE")->required(),
@@ -47,7 +47,7 @@ po::options_description describe(Request& request) {
 }
 
 /// "k1=0,k2=0" as numbers by name, which the family must know.
-std::map<std::string, double> held_parameters(const Request& request) {
+std::map<std::string, double> held_parameters(const ConvertRequest& request) {
   std::map<std::string, double> held;
   for (std::size_t start = 0; start < request.held.size();) {
     const std::size_t end = std::min(request.held.find(',', start), request.held.size());
@@ -65,7 +65,7 @@ std::map<std::string, double> held_parameters(const Request& request) {
   return held;
 }
 
-CalibrationFormat output_format(const Request& request) {
+CalibrationFormat output_format(const ConvertRequest& request) {
   try {
     return calibration_format_from_string(request.format);
   } catch (const std::runtime_error& error) {
@@ -73,7 +73,7 @@ CalibrationFormat output_format(const Request& request) {
   }
 }
 
-void check(const Request& request) {
+void check(const ConvertRequest& request) {
   const auto families = family_names();
   if (std::find(families.begin(), families.end(), request.family) == families.end())
     throw po::error(fmt::format("--to: '{}' is none of {}", request.family, fmt::join(families, ", ")));
@@ -81,7 +81,7 @@ void check(const Request& request) {
     throw po::error("--max-residual: must be 0 or more pixels");
 }
 
-std::vector<ModelCamera> read_cameras(const Request& request) {
+std::vector<ModelCamera> read_cameras(const ConvertRequest& request) {
   const ImageSize size = request.size.empty() ? ImageSize{0, 0} : flag_value<ImageSize>("size", request.size);
   if (!request.camera.empty()) return {read_model_camera(request.file, request.camera, size)};
   ModelCalibrationFile read = read_model_calibration_file(request.file, size);
@@ -90,7 +90,7 @@ std::vector<ModelCamera> read_cameras(const Request& request) {
 }
 
 /// Throws std::runtime_error in one line if there is no such camera, or none that is close enough.
-ConvertedCamera converted(const ModelCamera& camera, const Request& request,
+ConvertedCamera converted(const ModelCamera& camera, const ConvertRequest& request,
                           const std::map<std::string, double>& held) {
   ConvertedCamera result = convert(camera, request.family, held);
   const std::string where = request.file + ": camera " + camera.name + ": ";
@@ -129,7 +129,7 @@ as Brown-Conrady to rational.
 };
 
 int cps_lens_convert(const Arguments& arguments) {
-  Request request;
+  ConvertRequest request;
   const po::options_description options = describe(request);
   po::positional_options_description positional;
   positional.add("file", 1);

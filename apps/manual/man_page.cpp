@@ -69,7 +69,7 @@ std::string synopsis(const Manual& manual) {
   return text;
 }
 
-std::string description(const Manual& manual) {
+std::string description_section(const Manual& manual) {
   std::string text = ".SH DESCRIPTION\n";
   for (const Paragraph& paragraph : paragraphs(manual.description)) {
     text += ".PP\n";
@@ -144,7 +144,7 @@ std::string man_page(const Manual& manual, const std::vector<OptionGroup>& optio
   const std::string name = page_name(manual.name);
   return ".TH \"" + upper(name) + "\" 1 \"\" \"cps " CPS_VERSION "\" \"cps\"\n.ad l\n.nr HY 0\n" +  //
          ".SH NAME\n" + literal(name) + " \\- " + troff_text(manual.summary) + "\n" + synopsis(manual) +
-         description(manual) + list("VERBS", manual.verbs) + options_text(options) +
+         description_section(manual) + list("VERBS", manual.verbs) + options_text(options) +
          list("EXIT STATUS", manual.exit_status) + list("EXAMPLES", manual.examples) + see_also(manual);
 }
 

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-struct Request {
+struct EvalRequest {
   std::string model, data, part = "test", kitti, pictures, lens, camera, out, device = "cpu";
   int threads = 0;
   EvaluationOptions options;
 };
 
-po::options_description describe(Request& r) {
+po::options_description describe(EvalRequest& r) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("model", po::value(&r.model)->value_name("MODEL")->required(), "model folder");
@@ -52,7 +52,7 @@ po::options_description describe(Request& r) {
   return options;
 }
 
-EvaluationSet set_of(const Request& r) {
+EvaluationSet set_of(const EvalRequest& r) {
   if ((!r.data.empty()) + (!r.kitti.empty()) + (!r.pictures.empty()) != 1)
     throw po::error("give exactly one of --data, --kitti, --pictures");
   if (!r.kitti.empty()) return kitti_evaluation_set(r.kitti);
@@ -65,7 +65,7 @@ EvaluationSet set_of(const Request& r) {
   return evaluation_set(read_dataset(r.data), part);
 }
 
-fs::path output_file(const Request& r) {
+fs::path output_file(const EvalRequest& r) {
   if (!r.out.empty()) return r.out;
   return fs::path(r.model) / (!r.kitti.empty()      ? "eval_kitti.json"
                               : !r.pictures.empty() ? "eval_pictures.json"
@@ -88,7 +88,7 @@ ignore the image. Prints a table and writes a JSON file and an HTML page.
 };
 
 int eval_verb(const Arguments& arguments) {
-  Request request;
+  EvalRequest request;
   po::variables_map values;
   if (!parse_options(arguments, eval_manual, describe(request), {}, values)) return 0;
   po::notify(values);

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-struct Request {
+struct PredictRequest {
   std::string model, json, cameras, format = "opencv-yaml", undistorted, device = "cpu", exported_as, out;
   std::vector<std::string> images;
   int threads = 0;
   PredictOptions options;
 };
 
-po::options_description describe(Request& r) {
+po::options_description describe(PredictRequest& r) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("model", po::value(&r.model)->value_name("MODEL")->required(), "model folder");
@@ -53,7 +53,7 @@ po::options_description describe(Request& r) {
 }
 
 /// Throws if options are missing, or do not go together.
-void check(const Request& r) {
+void check(const PredictRequest& r) {
   if (r.options.variants < 0 || r.options.variants > 1000)
     throw po::error("--variants: must lie in [0, 1000]");
   if (r.exported_as.empty()) {
@@ -68,7 +68,7 @@ void check(const Request& r) {
         "and --undistort");
 }
 
-void export_network(const Request& r) {
+void export_network(const PredictRequest& r) {
   const fs::path file = r.out.empty() ? fs::path(r.model) / onnx_file_name : fs::path(r.out);
   write_onnx(r.model, file);
   std::cout << "written to " << file.string() << "\n";
@@ -121,7 +121,7 @@ programs can run. Its metadata say what its inputs and outputs are.
 };
 
 int predict_verb(const Arguments& arguments) {
-  Request request;
+  PredictRequest request;
   po::positional_options_description positional;
   positional.add("image", -1);
   po::variables_map values;

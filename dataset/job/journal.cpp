@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kind = "journal";
+const char* const journal_kind = "journal";
 
 /// The length of `text` up to and including its last line break.
 std::size_t length_of_lines(const std::string& text) {
@@ -63,7 +63,7 @@ int read_journal(const fs::path& file, Visit&& visit) {
 
 JournalLines read_journals(const fs::path& dataset) {
   JournalLines lines;
-  for (const auto& [shard, file] : shard_files(dataset, kind))
+  for (const auto& [shard, file] : shard_files(dataset, journal_kind))
     lines.unreadable +=
         read_journal(file, [&](ViewRecord&& record) { lines.views[record.view] = std::move(record); });
   return lines;
@@ -71,7 +71,7 @@ JournalLines read_journals(const fs::path& dataset) {
 
 std::vector<JournalTally> tally_journals(const fs::path& dataset) {
   std::vector<JournalTally> tallies;
-  for (const auto& [shard, file] : shard_files(dataset, kind)) {
+  for (const auto& [shard, file] : shard_files(dataset, journal_kind)) {
     JournalTally tally{.shard = shard};
     tally.unreadable = read_journal(file, [&](const ViewRecord& record) {
       ++tally.views;
@@ -85,7 +85,7 @@ std::vector<JournalTally> tally_journals(const fs::path& dataset) {
 
 std::vector<std::int64_t> journalled_shard_counts(const fs::path& dataset) {
   std::set<std::int64_t> counts;
-  for (const auto& [shard, file] : shard_files(dataset, kind)) counts.insert(shard.count);
+  for (const auto& [shard, file] : shard_files(dataset, journal_kind)) counts.insert(shard.count);
   return {counts.begin(), counts.end()};
 }
 
@@ -112,7 +112,7 @@ bool has_its_images(const fs::path& dataset, const ViewRecord& record) {
 }
 
 Journal::Journal(const fs::path& dataset, const Shard& shard)
-    : file_(shard_file(dataset, kind, shard)), lock_(file_, FileLock::Kind::exclusive) {
+    : file_(shard_file(dataset, journal_kind, shard)), lock_(file_, FileLock::Kind::exclusive) {
   if (!lock_.is_held())
     throw HeldByAnother(dataset.string() + ": shard " + to_string(shard) +
                         " is being made by another process; wait for it or choose another shard");

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kind = "times";
+const char* const times_kind = "times";
 
 nlohmann::ordered_json to_json(const RunTimes& times) {
   return {{"views", times.views},
@@ -56,13 +56,13 @@ RunTimes run_times(const std::string& line, const std::string& file) {
 }  // namespace
 
 void enter_in_ledger(const fs::path& dataset, const Shard& shard, const RunTimes& times) {
-  const fs::path file = shard_file(dataset, kind, shard);
+  const fs::path file = shard_file(dataset, times_kind, shard);
   write_file(file, (fs::exists(file) ? read_file(file) : "") + to_json(times).dump() + "\n");
 }
 
 std::vector<LedgerEntry> read_ledger(const fs::path& dataset) {
   std::vector<LedgerEntry> entries;
-  for (const auto& [shard, file] : shard_files(dataset, kind)) {
+  for (const auto& [shard, file] : shard_files(dataset, times_kind)) {
     std::istringstream lines(read_file(file));
     for (std::string line; std::getline(lines, line);)
       entries.push_back({shard, run_times(line, file.string())});

@@ -16,15 +16,15 @@
 namespace cps {
 namespace {
 
-constexpr int grid_samples = 24;  ///< per axis of the frame
+constexpr int bound_samples = 24;  ///< per axis of the frame
 
 /// Worst distance between a pixel and where the ray that it sees is projected to.
 double roundtrip_px(const ModelCamera& camera, const RayRegion& region) {
   double worst = 0;
-  for (int j = 0; j <= grid_samples; ++j)
-    for (int i = 0; i <= grid_samples; ++i) {
-      const Eigen::Vector2d pixel(-0.5 + camera.pinhole.width * (static_cast<double>(i) / grid_samples),
-                                  -0.5 + camera.pinhole.height * (static_cast<double>(j) / grid_samples));
+  for (int j = 0; j <= bound_samples; ++j)
+    for (int i = 0; i <= bound_samples; ++i) {
+      const Eigen::Vector2d pixel(-0.5 + camera.pinhole.width * (static_cast<double>(i) / bound_samples),
+                                  -0.5 + camera.pinhole.height * (static_cast<double>(j) / bound_samples));
       const auto ray = unproject(camera.lens, region, to_plane(camera.pinhole, pixel));
       if (!ray) return std::numeric_limits<double>::infinity();
       worst = std::max(worst, (to_pixel(camera.pinhole, project(camera.lens, *ray).point) - pixel).norm());

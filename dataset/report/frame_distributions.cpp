@@ -17,13 +17,10 @@ using Pose = Eigen::Isometry3d;
 struct FrameNumber {
   const char *name, *unit;
   double (*of)(const FrameRow& row, const Pose& camera, const Pose& error);
-  std::optional<Interval> (*limits)(const Recipe& recipe);
+  std::optional<Interval> (*limits)(const Recipe& recipe);  ///< nullptr: none
   std::string (*note)(const Recipe& recipe);
 };
 
-std::optional<Interval> no_limits(const Recipe&) {
-  return std::nullopt;
-}
 std::string no_note(const Recipe&) {
   return "";
 }
@@ -40,51 +37,50 @@ double turned_deg(const Pose& error, int axis) {
   return degrees(turn.angle() * turn.axis()[axis]);
 }
 
-constexpr FrameNumber numbers[] = {
+constexpr FrameNumber frame_numbers[] = {
     {"vehicle heading", "degrees, 0 along +x (east), to the left",
      [](const FrameRow& row, const Pose&, const Pose&) {
        return std::remainder(degrees(row.vehicle.heading_rad), 360.0);
      },
-     no_limits, no_note},
+     nullptr, no_note},
     {"vehicle pitch", "degrees, nose up",
-     [](const FrameRow& row, const Pose&, const Pose&) { return degrees(row.vehicle.pitch_rad); }, no_limits,
+     [](const FrameRow& row, const Pose&, const Pose&) { return degrees(row.vehicle.pitch_rad); }, nullptr,
      no_note},
     {"vehicle roll", "degrees, right side down",
-     [](const FrameRow& row, const Pose&, const Pose&) { return degrees(row.vehicle.roll_rad); }, no_limits,
+     [](const FrameRow& row, const Pose&, const Pose&) { return degrees(row.vehicle.roll_rad); }, nullptr,
      no_note},
     {"ground height under the vehicle", "m",
-     [](const FrameRow& row, const Pose&, const Pose&) { return row.vehicle.position.y(); }, no_limits,
+     [](const FrameRow& row, const Pose&, const Pose&) { return row.vehicle.position.y(); }, nullptr,
      no_note},
     {"camera height over that ground", "m",
      [](const FrameRow& row, const Pose&, const Pose&) {
        return row.camera_position.y() - row.vehicle.position.y();
      },
-     no_limits, no_note},
+     nullptr, no_note},
     {"camera pitch", "degrees above the horizon",
      [](const FrameRow&, const Pose& camera, const Pose&) {
        return degrees(std::asin(std::clamp(camera.linear()(1, 2), -1.0, 1.0)));
      },
-     no_limits, no_note},
+     nullptr, no_note},
     {"camera roll", "degrees, right side down",
      [](const FrameRow&, const Pose& camera, const Pose&) {
        return degrees(std::atan2(-camera.linear()(1, 0), -camera.linear()(1, 1)));
      },
-     no_limits, no_note},
+     nullptr, no_note},
     {"mount error about the camera's x axis", "degrees, up",
-     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 0); }, no_limits,
+     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 0); }, nullptr,
      mount_angle_note},
     {"mount error about the camera's y axis", "degrees, to the right",
-     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 1); }, no_limits,
+     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 1); }, nullptr,
      mount_angle_note},
     {"mount error about the camera's z axis", "degrees, clockwise",
-     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 2); }, no_limits,
+     [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 2); }, nullptr,
      mount_angle_note},
     {"distance from the mount", "mm",
      [](const FrameRow&, const Pose&, const Pose& error) { return 1000 * error.translation().norm(); },
-     no_limits, mount_offset_note},
+     nullptr, mount_offset_note},
     {"metered exposure", "stops: log2 of the share of white per unit of radiance",
-     [](const FrameRow& row, const Pose&, const Pose&) { return std::log2(row.exposure); }, no_limits,
-     no_note},
+     [](const FrameRow& row, const Pose&, const Pose&) { return std::log2(row.exposure); }, nullptr, no_note},
     {"exposure bias", "stops",
      [](const FrameRow& row, const Pose&, const Pose&) { return row.sensor.exposure_bias_ev; },
      [](const Recipe& r) {
@@ -109,10 +105,10 @@ constexpr FrameNumber numbers[] = {
 
 std::vector<Distribution> frame_distributions(const Recipe& recipe) {
   std::vector<Distribution> distributions;
-  for (const FrameNumber& number : numbers)
+  for (const FrameNumber& number : frame_numbers)
     distributions.push_back({.name = number.name,
                              .unit = number.unit,
-                             .limits = number.limits(recipe),
+                             .limits = number.limits ? number.limits(recipe) : std::nullopt,
                              .note = number.note(recipe)});
   return distributions;
 }
@@ -121,7 +117,7 @@ void add_frame(std::vector<Distribution>& distributions, const FrameRow& row, co
   const Pose camera = world_from_camera(row),
              error = (world_from_vehicle(row.vehicle) * label.vehicle_from_camera).inverse() * camera;
   for (std::size_t i = 0; i < distributions.size(); ++i)
-    if (const double value = numbers[i].of(row, camera, error); std::isfinite(value))
+    if (const double value = frame_numbers[i].of(row, camera, error); std::isfinite(value))
       distributions[i].add(row.part, value);
 }
 

@@ -14,12 +14,8 @@ struct LabelNumber {
   const char *name, *unit, *note;
   bool needs_lens;  ///< leave out images without one
   double (*of)(const Label& label);
-  std::optional<Interval> (*limits)(const Recipe& recipe);
+  std::optional<Interval> (*limits)(const Recipe& recipe);  ///< nullptr: none
 };
-
-std::optional<Interval> no_limits(const Recipe&) {
-  return std::nullopt;
-}
 
 std::optional<Interval> hull(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
@@ -42,17 +38,17 @@ double shift_y_percent(const Label& label) {
 
 constexpr const char* drawn_note = "Limits: from the lowest to the highest that any lens was drawn between";
 
-constexpr LabelNumber numbers[] = {
+constexpr LabelNumber label_numbers[] = {
     {"H-FOV", "degrees", "", false, [](const Label& l) { return degrees(hfov_rad(l.camera)); },
      [](const Recipe& r) { return hull(r.hfov_deg); }},
     {"H-FOV before the crop", "degrees", "", false, [](const Label& l) { return l.fov_base_deg; },
      [](const Recipe& r) { return hull(r.base_hfov_deg); }},
-    {"H-FOV really shown", "degrees", "", false, [](const Label& l) { return l.fov_true_h_deg; }, no_limits},
-    {"k1", "", drawn_note, true, [](const Label& l) { return l.distortion.k1; }, no_limits},
-    {"k2", "", drawn_note, true, [](const Label& l) { return l.distortion.k2; }, no_limits},
-    {"k3", "", drawn_note, true, [](const Label& l) { return l.distortion.k3; }, no_limits},
-    {"p1", "", drawn_note, true, [](const Label& l) { return l.distortion.p1; }, no_limits},
-    {"p2", "", drawn_note, true, [](const Label& l) { return l.distortion.p2; }, no_limits},
+    {"H-FOV really shown", "degrees", "", false, [](const Label& l) { return l.fov_true_h_deg; }, nullptr},
+    {"k1", "", drawn_note, true, [](const Label& l) { return l.distortion.k1; }, nullptr},
+    {"k2", "", drawn_note, true, [](const Label& l) { return l.distortion.k2; }, nullptr},
+    {"k3", "", drawn_note, true, [](const Label& l) { return l.distortion.k3; }, nullptr},
+    {"p1", "", drawn_note, true, [](const Label& l) { return l.distortion.p1; }, nullptr},
+    {"p2", "", drawn_note, true, [](const Label& l) { return l.distortion.p2; }, nullptr},
     {"cx, from the image's centre", "% of the width", "", true, shift_x_percent,
      [](const Recipe& r) {
        const double most = 100 * r.lens_options.principal_point.max_shift_x;
@@ -102,9 +98,9 @@ bool is_undistorted(const Label& label) {
 
 std::vector<Distribution> label_distributions(const Dataset& dataset, const std::optional<Recipe>& recipe) {
   std::vector<Distribution> distributions;
-  for (const LabelNumber& number : numbers) {
+  for (const LabelNumber& number : label_numbers) {
     Distribution distribution{.name = number.name, .unit = number.unit};
-    if (recipe) distribution.limits = number.limits(*recipe);
+    if (recipe && number.limits) distribution.limits = number.limits(*recipe);
     if (!distribution.limits) distribution.limits = drawn_limits(dataset, number.name);
     if (distribution.limits) distribution.note = number.note;
     std::vector<double> of_group;

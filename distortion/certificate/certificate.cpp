@@ -4,17 +4,15 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "distortion/certificate/branch_and_bound.h"
 #include "distortion/certificate/polar_lens.h"
 #include "distortion/certificate/ring_eigenvalue.h"
+#include "numbers/infinity.h"
 
 namespace cps {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The smallest eigenvalue over the rectangle, or minus the largest: −J has the same form as J, with the
 /// signs of g and R and the direction reversed.

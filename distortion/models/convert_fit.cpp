@@ -3,16 +3,14 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "distortion/models/parameter_jacobian.h"
 #include "distortion/models/projection.h"
+#include "numbers/infinity.h"
 
 namespace cps {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The variables of a fit with the intervals that they may not leave.
 struct Variables {

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "distortion/certificate/bernstein.h"
 #include "distortion/certificate/branch_and_bound.h"
 #include "distortion/models/projection.h"
 #include "distortion/models/straight_angle.h"
+#include "numbers/infinity.h"
 
 namespace cps {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval everything{-infinity, infinity};
 constexpr double rounding = 0x1p-46;
 

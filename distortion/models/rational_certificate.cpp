@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "distortion/certificate/bernstein.h"
 #include "distortion/certificate/branch_and_bound.h"
 #include "distortion/certificate/grow_rectangle.h"
 #include "distortion/certificate/polar_lens.h"
 #include "distortion/certificate/ring_eigenvalue.h"
+#include "numbers/infinity.h"
 
 namespace cps {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A rational lens on a rectangle, scaled as a PolarLens is.
 struct PolarRational {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "distortion/certificate/bernstein.h"
 #include "distortion/certificate/rim_search.h"
 #include "distortion/models/rational_certificate.h"
+#include "numbers/infinity.h"
 
 namespace cps {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 /// Encloses a quotient on [0, 1] by the quotients of its Bernstein coefficients, if the denominator's are
 /// above `rounding` times its terms' size; `n_size` and `d_size` bound the terms of both.
 Interval range(const Form<8>& numerator, const Form<8>& denominator, double n_size, double d_size) {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), rounding = 1e-14;
+  constexpr double rounding = 1e-14;
   double low = infinity, high = -infinity, least = infinity;
   for (int i = 0; i <= 8; ++i) {
     const double quotient = numerator[i] / denominator[i];

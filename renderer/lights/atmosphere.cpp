@@ -9,7 +9,7 @@
 namespace cps {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double ground_m = 6360e3, top_m = 6460e3;                 // radii
 constexpr double rayleigh_height_m = 8000, haze_height_m = 1200;    // densities fall to 1/e
 constexpr double ozone_middle_m = 25e3, ozone_half_width_m = 15e3;  // a tent

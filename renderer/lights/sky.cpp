@@ -9,8 +9,6 @@
 namespace cps {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 float sine_of_row_border(const Sky& sky, int row) {
   return elevation_sine_of_row(static_cast<float>(row) / static_cast<float>(sky.rows), sky.spacing);
 }
@@ -75,7 +73,8 @@ Color horizontal_irradiance(const Sky& sky) {
   Color sum = Color::Zero();
   for (int row = sky.rows / 2; row < sky.rows; ++row) {
     const float low = sine_of_row_border(sky, row), high = sine_of_row_border(sky, row + 1);
-    const float cosine_sr = pi * (high * high - low * low) / static_cast<float>(sky.columns);
+    const float cosine_sr =
+        std::numbers::pi_v<float> * (high * high - low * low) / static_cast<float>(sky.columns);
     for (int column = 0; column < sky.columns; ++column) {
       sum += cosine_sr * sky.radiance_table[static_cast<std::size_t>(row) * sky.columns + column].head<3>();
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr int cosines = 64, roughnesses = 64, samples = 256;
 constexpr float smallest_cosine = 1e-3f, smallest_alpha = 1e-3f;
 
-struct Table {
+struct AlbedoTable {
   std::array<std::array<SpecularAlbedo, cosines>, roughnesses> directional;
   std::array<SpecularAlbedo, roughnesses> mean;
 };
@@ -36,8 +36,8 @@ SpecularAlbedo integrate(float alpha, float cosine) {
   return {static_cast<float>(scale / samples), static_cast<float>(bias / samples)};
 }
 
-Table make_table() {
-  Table table;
+AlbedoTable make_table() {
+  AlbedoTable table;
   for (int r = 0; r < roughnesses; ++r) {
     const float roughness = static_cast<float>(r) / (roughnesses - 1);
     const float alpha = std::max(roughness * roughness, smallest_alpha);
@@ -57,8 +57,8 @@ Table make_table() {
   return table;
 }
 
-const Table& table() {
-  static const Table instance = make_table();
+const AlbedoTable& table() {
+  static const AlbedoTable instance = make_table();
   return instance;
 }
 

@@ -14,7 +14,7 @@
 namespace cps {
 namespace {
 
-constexpr int max_attempts = 1000;
+constexpr int max_lens_attempts = 1000;
 
 double half_diagonal(const Pinhole& camera) {
   return 0.5 * frame_on_plane(camera).diagonal().norm();
@@ -111,12 +111,12 @@ DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& o
   const bool for_coverage = random_uniform(make_stream(stream.key, "scheme"), 0) < options.sequential_share;
   const LensScheme scheme = for_coverage ? LensScheme::sequential : options.scheme;
   std::string why;
-  for (int attempt = 0; attempt < max_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_lens_attempts; ++attempt) {
     DrawnLens lens = draw_once(camera, order, scheme, options, substream(stream, attempt));
     if (lens.crop.valid) return lens;
     why = lens.crop.why;
   }
-  throw std::runtime_error("no lens within the bounds in " + std::to_string(max_attempts) +
+  throw std::runtime_error("no lens within the bounds in " + std::to_string(max_lens_attempts) +
                            " attempts, the last because " + why +
                            "; widen max_zoom, max_displacement or max_eigenvalue");
 }

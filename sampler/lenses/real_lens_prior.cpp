@@ -11,7 +11,7 @@
 namespace cps {
 namespace {
 
-enum Drawn : std::uint64_t { corner_quantile, k2_rest, k3_rest };
+enum QuantileNumber : std::uint64_t { corner_quantile, k2_rest, k3_rest };
 
 double inverse_cdf(const std::array<double, 7>& quantiles, double p) {
   std::size_t i = 1;

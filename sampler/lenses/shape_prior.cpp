@@ -5,7 +5,7 @@
 namespace cps {
 namespace {
 
-enum Drawn : std::uint64_t { corner_displacement, ratio_b, ratio_c };
+enum ShapeNumber : std::uint64_t { corner_displacement, ratio_b, ratio_c };
 
 constexpr double min_sum = 0.25;
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double change_m = 40;
 constexpr double same_direction = 0.985;  // cos 10°
 
-enum Drawn : std::uint64_t { which, progress };
+enum ChangeNumber : std::uint64_t { which, progress };
 
 /// Distance to the left at which a lane passes a place in the same direction; 0 if it does not.
 double left_offset_m(const Lane& lane, const Eigen::Vector3d& at, const Eigen::Vector2d& heading) {

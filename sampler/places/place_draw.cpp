@@ -16,16 +16,16 @@
 namespace cps {
 namespace {
 
-constexpr int max_attempts = 200;
+constexpr int max_place_attempts = 200;
 /// Distance that places keep from the start or end of a lane that is not linked to another.
 constexpr double blind_end_m = 3;
 /// Distance that they keep from the end of a lane that leads into another part's; at most half the lane.
 constexpr double other_part_m = 10;
 
 /// Indices of the numbers that one attempt draws, in the attempt's stream.
-enum Drawn : std::uint64_t { along, lateral, heading, lane_change };
+enum PlaceNumber : std::uint64_t { along, lateral, heading, lane_change };
 /// Indices of the numbers drawn for each camera, in a stream of its own.
-enum DrawnMount : std::uint64_t { yaw, pitch, roll, forward, left, up };
+enum MountNumber : std::uint64_t { yaw, pitch, roll, forward, left, up };
 
 RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) {
   camera.yaw_deg += recipe.mount_error_deg * random_normal(draw, yaw);
@@ -138,7 +138,7 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
     }
   }
   PlaceTally tally;
-  for (int attempt = 0; attempt < max_attempts && total_length_m > 0; ++attempt) {
+  for (int attempt = 0; attempt < max_place_attempts && total_length_m > 0; ++attempt) {
     const Stream draw = substream(stream, attempt);
     double distance_m = total_length_m * stratified(stratum, attempt, random_uniform(draw, along));
     std::size_t chosen = 0;

@@ -13,7 +13,7 @@ constexpr int max_columns_per_side = 700;
 constexpr int max_hits = 12;  ///< surfaces examined in one column
 constexpr double headroom_m = 2.2;
 constexpr float cos_max_slope = 0.9063f;  // 25°
-constexpr double tan_max_slope = 0.4663, step_m = 0.2;
+constexpr double tan_max_slope = 0.4663, max_step_m = 0.2;
 constexpr double bumper_m = 0.45;
 
 /// The part of the scene to search: all of it, or of a scene that is too large for the grid, what lies around
@@ -71,7 +71,7 @@ void add_surfaces(GroundLayers& layers, const SceneRays& rays, const Eigen::Vect
 }
 
 bool is_passable(const SceneRays& rays, const Eigen::Vector3f& a, const Eigen::Vector3f& b, double cell_m) {
-  if (std::abs(a.y() - b.y()) > std::max(step_m, tan_max_slope * cell_m)) return false;
+  if (std::abs(a.y() - b.y()) > std::max(max_step_m, tan_max_slope * cell_m)) return false;
   const float reach_m = (b - a).norm();
   const Eigen::Vector3f direction = (b - a) / reach_m;
   for (const double height_m : {bumper_m, bonnet_m}) {

@@ -32,6 +32,14 @@ inline ProgramRun run_cps(const std::string& arguments) {
   return run;
 }
 
+/// What cps prints; it must succeed.
+inline std::string require_success(const std::string& arguments) {
+  const ProgramRun run = run_cps(arguments);
+  INFO("cps " << arguments << "\n" << run.output);
+  REQUIRE(run.exit_status == 0);
+  return run.output;
+}
+
 /// Runs cps, which must say one line that contains `expected` and exit with `status`.
 inline void check_refused(const std::string& arguments, int status, const std::string& expected) {
   const ProgramRun run = run_cps(arguments);

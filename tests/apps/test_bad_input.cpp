@@ -3,20 +3,11 @@
 
 #include "tests/apps/cps_program.h"
 #include "tests/apps/street_gltf.h"
+#include "tests/files_in.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
-
-namespace {
-
-std::size_t files_in(const fs::path& folder) {
-  std::size_t count = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) count += entry.is_regular_file();
-  return count;
-}
-
-}  // namespace
 
 TEST_CASE("wrong usage exits 2 with one line") {
   check_refused("fly", 2, "'fly' is not a verb");

@@ -4,6 +4,7 @@
 
 #include "tests/apps/cps_program.h"
 #include "tests/apps/street_gltf.h"
+#include "tests/files_in.h"
 #include "tests/temporary_folder.h"
 
 using namespace cps;
@@ -11,14 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int run(const std::string& command) {
+int run_shell(const std::string& command) {
   return std::system(("(" + command + ") >/dev/null 2>&1").c_str());
-}
-
-std::size_t files_in(const fs::path& folder) {
-  std::size_t count = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) count += !entry.is_directory();
-  return count;
 }
 
 /// Man pages, completion, batch scripts and what Debian asks of a package are in their places.
@@ -33,18 +28,19 @@ void check_shared_files(const fs::path& share) {
     CHECK(fs::exists(share / file));
   }
   CHECK(!fs::exists(share / "cps/slurm/cps-slurm.1"));
-  CHECK(run("zcat " + (share / "man/man1/cps-generate.1.gz").string() + " | grep -F 'max_zoom'") == 0);
-  CHECK(run("bash -n " + (share / "bash-completion/completions/cps").string()) == 0);
+  CHECK(run_shell("zcat " + (share / "man/man1/cps-generate.1.gz").string() + " | grep -F 'max_zoom'") == 0);
+  CHECK(run_shell("bash -n " + (share / "bash-completion/completions/cps").string()) == 0);
 }
 
 /// The installed program finds a shipped recipe and its rig by name and makes a dataset.
 void check_program(const fs::path& program, const fs::path& folder) {
   const std::string scene = write_street_gltf(folder).string(), out = (folder / "dataset").string();
   CHECK(
-      run(program.string() + " generate --recipe kitti --scene " + scene +
+      run_shell(
+          program.string() + " generate --recipe kitti --scene " + scene +
           " --scale 1e-6 --conditions_per_scene 1 --size 96x40 --hfov_deg 70 --lenses 1 --samples 2 --out " +
           out) == 0);
-  CHECK(run(program.string() + " verify " + out) == 0);
+  CHECK(run_shell(program.string() + " verify " + out) == 0);
   CHECK(fs::exists(fs::path(out) / "96x40_hfov070" / "cam2_lens0000"));
 }
 
@@ -53,30 +49,31 @@ void check_program(const fs::path& program, const fs::path& folder) {
 TEST_CASE("what is installed works alone, and uninstalling leaves nothing", "[slow]") {
   const TemporaryFolder folder;
   const fs::path prefix = folder.path / "prefix";
-  REQUIRE(run("cmake --install " CPS_BUILD " --component core --prefix " + prefix.string()) == 0);
+  REQUIRE(run_shell("cmake --install " CPS_BUILD " --component core --prefix " + prefix.string()) == 0);
   CHECK(!fs::exists(prefix / "bin" / "cps-train"));
   check_program(prefix / "bin" / "cps", folder.path);
-  CHECK(run((prefix / "bin" / "cps-slurm").string() +
-            " 4 -- --recipe demo 2>&1 | grep -e '--out is missing'") == 0);
+  CHECK(run_shell((prefix / "bin" / "cps-slurm").string() +
+                  " 4 -- --recipe demo 2>&1 | grep -e '--out is missing'") == 0);
   check_shared_files(prefix / "share");
-  REQUIRE(run("cmake -DBUILD=" CPS_BUILD " -P " CPS_SOURCE "/cmake/uninstall.cmake") == 0);
+  REQUIRE(run_shell("cmake -DBUILD=" CPS_BUILD " -P " CPS_SOURCE "/cmake/uninstall.cmake") == 0);
   CHECK(files_in(prefix) == 0);
 }
 
 TEST_CASE("the .deb of a render node names what it needs, no LibTorch, and works unpacked", "[slow]") {
   const TemporaryFolder folder;
   const std::string f = folder.path.string();
-  REQUIRE(run("cd " + f + " && cpack --config " CPS_BUILD "/CPackConfig.cmake -G DEB -B " + f) == 0);
+  REQUIRE(run_shell("cd " + f + " && cpack --config " CPS_BUILD "/CPackConfig.cmake -G DEB -B " + f) == 0);
   const std::string deb = "$(ls " + f + "/cps_*.deb)";
-  REQUIRE(run("dpkg-deb --field " + deb + " Depends | grep libembree3") == 0);
-  REQUIRE(run("dpkg-deb --field " + deb + " Depends | grep torch") != 0);
-  REQUIRE(run("dpkg-deb -x " + deb + " " + f + "/root") == 0);
+  REQUIRE(run_shell("dpkg-deb --field " + deb + " Depends | grep libembree3") == 0);
+  REQUIRE(run_shell("dpkg-deb --field " + deb + " Depends | grep torch") != 0);
+  REQUIRE(run_shell("dpkg-deb -x " + deb + " " + f + "/root") == 0);
   check_program(folder.path / "root" / "usr" / "bin" / "cps", folder.path);
   check_shared_files(folder.path / "root" / "usr" / "share");
-  CHECK(run("dpkg-deb --field " + deb + " Maintainer | grep -E '^The cps contributors <[^<> ]+@[^<> ]+>$'") ==
-        0);
-  CHECK(run("dpkg-deb --field " + deb + " Description | grep -E '^ many Brown-Conrady lenses'") == 0);
-  CHECK(run("zcat " + f +
+  CHECK(run_shell("dpkg-deb --field " + deb +
+                  " Maintainer | grep -E '^The cps contributors <[^<> ]+@[^<> ]+>$'") == 0);
+  CHECK(run_shell("dpkg-deb --field " + deb + " Description | grep -E '^ many Brown-Conrady lenses'") == 0);
+  CHECK(run_shell(
+            "zcat " + f +
             "/root/usr/share/doc/cps/changelog.gz | dpkg-parsechangelog -l - -S Version | grep -x 0.1.0") ==
         0);
 }

@@ -7,18 +7,6 @@
 
 using namespace cps;
 
-namespace {
-
-/// Runs cps, which must succeed.
-std::string run(const std::string& arguments) {
-  const ProgramRun run = run_cps(arguments);
-  INFO("cps " << arguments << "\n" << run.output);
-  CHECK(run.exit_status == 0);
-  return run.output;
-}
-
-}  // namespace
-
 TEST_CASE("names with blanks and letters of any script work in every option that takes one") {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path / "Straße 3 Straßenköter 道路 é";
@@ -36,15 +24,16 @@ TEST_CASE("names with blanks and letters of any script work in every option that
   const std::string generate = "generate --recipe " + quoted(folder / "mein Rezept 食.cfg") + " --route " +
                                quoted(folder / "Weg å.csv") + " --look " + quoted(folder / "Blick ñ") +
                                " -o " + quoted(out);
-  run(generate);
-  CHECK_THAT(run(generate), Catch::Contains("nothing to do"));
+  require_success(generate);
+  CHECK_THAT(require_success(generate), Catch::Contains("nothing to do"));
   CHECK(fs::exists(folder / "Blick ñ" / "street.png"));
-  run("verify --rerender 1 " + quoted(out));
-  run("contact-sheet " + quoted(out) + " -o " + quoted(folder / "Bogen ß.png"));
+  require_success("verify --rerender 1 " + quoted(out));
+  require_success("contact-sheet " + quoted(out) + " -o " + quoted(folder / "Bogen ß.png"));
   CHECK(fs::exists(folder / "Bogen ß.png"));
 
   // Renders.
-  run("render " + quoted(scene) + " -o " + quoted(folder / "Bild æ.png") + " --size 40x30 --samples 1");
+  require_success("render " + quoted(scene) + " -o " + quoted(folder / "Bild æ.png") +
+                  " --size 40x30 --samples 1");
   CHECK(fs::exists(folder / "Bild æ.png"));
 
   // Lenses and pictures: one, and a folder of them.
@@ -53,10 +42,11 @@ TEST_CASE("names with blanks and letters of any script work in every option that
   for (const char* name : {"eins zwei.png", "drei 三.png"})
     write_image(pictures / name, 160, 100, 3, OIIO::TypeUInt8,
                 [](int x, int y, int c) { return noise(x, y, c); });
-  run("lens check " + quoted(lens));
-  run("undistort " + quoted(pictures / "drei 三.png") + " --lens " + quoted(lens) + " -o " +
-      quoted(folder / "gerade ü.png"));
+  require_success("lens check " + quoted(lens));
+  require_success("undistort " + quoted(pictures / "drei 三.png") + " --lens " + quoted(lens) + " -o " +
+                  quoted(folder / "gerade ü.png"));
   CHECK(fs::exists(folder / "gerade ü.png"));
-  run("undistort " + quoted(pictures) + " --lens " + quoted(lens) + " -o " + quoted(folder / "gerade ö"));
+  require_success("undistort " + quoted(pictures) + " --lens " + quoted(lens) + " -o " +
+                  quoted(folder / "gerade ö"));
   for (const char* name : {"eins zwei.png", "drei 三.png"}) CHECK(fs::exists(folder / "gerade ö" / name));
 }

@@ -34,15 +34,15 @@ Order shuffled_order_of(int count, Stream stream) {
   return {order.begin(), order.end()};
 }
 
-constexpr int draws = 24'000;
+constexpr int shuffles = 24'000;
 
 /// χ² of how often each outcome of `draw(stream)` came up, if all `outcomes` are equally likely.
 template <typename Draw>
 double chi_square(int outcomes, Draw draw) {
   std::map<Order, int> counts;
-  for (int i = 0; i < draws; ++i) ++counts[draw(substream(make_stream(5, "uniformity"), i))];
+  for (int i = 0; i < shuffles; ++i) ++counts[draw(substream(make_stream(5, "uniformity"), i))];
   REQUIRE(static_cast<int>(counts.size()) == outcomes);
-  const double expected = static_cast<double>(draws) / outcomes;
+  const double expected = static_cast<double>(shuffles) / outcomes;
   double sum = 0;
   for (const auto& [order, count] : counts) sum += (count - expected) * (count - expected) / expected;
   return sum;

@@ -6,7 +6,7 @@
 using namespace cps;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST_CASE("both directions of a street are one route, sorted by street") {
   Scene scene;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "numbers/wall_time.h"
 #include "trainer/network/tensor_batch.h"
 
 namespace cps {
@@ -31,7 +32,7 @@ void BatchLoader::prepare() {
 LoadedBatch BatchLoader::next() {
   const auto start = std::chrono::steady_clock::now();
   LoadedBatch batch = ahead_.get();
-  waited_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  waited_seconds_ += seconds_since(start);
   prepare();
   return batch;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "numbers/angles.h"
+#include "numbers/wall_time.h"
 #include "random/counter_hash.h"
 #include "trainer/images/batches.h"
 #include "trainer/network/inference.h"
@@ -18,12 +19,6 @@
 
 namespace cps {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 BatchTruth truth_of(const std::vector<ShownImage>& shown) {
   BatchTruth truth{.size = shown.front().original, .targets = {}, .rays = {}};
@@ -74,7 +69,7 @@ torch::Tensor tensor_of(const std::vector<Outputs>& outputs, const Batch& batch)
 void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& card,
                  const Predictor* teacher, const Ranks& ranks, EpochReport& report) {
   const TrainOptions& options = card.options;
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   state.network->train();
   const Stream noise = substream(make_stream(options.seed, "dropout"), report.epoch);
   const auto batches = shuffled_batches(set.originals, options.batch_size, options.seed, report.epoch);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "numbers/wall_time.h"
 #include "trainer/images/dataset_fingerprint.h"
 #include "trainer/model/model_card.h"
 #include "trainer/model/predictor.h"
@@ -21,11 +22,6 @@ namespace cps {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 const EpochReport* best_of(const std::vector<EpochReport>& epochs) {
   const auto best = std::ranges::min_element(epochs, {}, &EpochReport::validation_loss);
@@ -92,7 +88,7 @@ TrainingSet load_training_set(const Dataset& dataset, const TrainOptions& option
 
 TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const TrainOptions& options,
                    bool resume, const EpochCallback& on_epoch, const Ranks& ranks, Device device) {
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   ModelCard card = start_card(dataset, model_folder, options, resume);
   use_threads(card.options.threads);
   if (card.options.batches_per_step % ranks.count != 0)
@@ -133,7 +129,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
 
   while (static_cast<int>(state.epochs.size()) < state.planned_epochs &&
          !has_lost_patience(card.options.patience, state.epochs)) {
-    const auto epoch_start = Clock::now();
+    const auto epoch_start = std::chrono::steady_clock::now();
     EpochReport report;
     report.epoch = static_cast<int>(state.epochs.size()) + 1;
     train_epoch(state, training, card, teacher.get(), ranks, report);

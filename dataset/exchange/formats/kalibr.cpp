@@ -46,7 +46,7 @@ LensModel read_lens(const std::string& camera, const std::string& distortion,
           ": calibrate with pinhole-radtan, pinhole-equi, omni-radtan, omni-none, ds-none or eucm-none");
 }
 
-ModelCamera read_one(const JsonKeys& keys, const std::string& name) {
+ModelCamera read_kalibr_camera(const JsonKeys& keys, const std::string& name) {
   using enum NamedLens;
   const NamedLens named = named_lens(keys, {plane, kannala_brandt, unified_spherical, eucm, double_sphere});
   refuse_other_coefficients(keys, {});
@@ -88,7 +88,7 @@ ModelCalibrationFile read_kalibr(const JsonKeys& root) {
   for (const auto& [name, value] : root.json.items()) {
     if (!value.is_object()) continue;  // notes beside the cameras
     const std::string where = root.file + ": " + name;
-    add_camera(file, name, [&] { return read_one(JsonKeys{value, where}, name); });
+    add_camera(file, name, [&] { return read_kalibr_camera(JsonKeys{value, where}, name); });
   }
   return file;
 }

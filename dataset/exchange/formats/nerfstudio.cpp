@@ -37,7 +37,7 @@ LensModel read_lens(const JsonKeys& keys) {
   return lens;
 }
 
-ModelCamera read_one(const JsonKeys& keys, const std::string& name) {
+ModelCamera read_nerfstudio_camera(const JsonKeys& keys, const std::string& name) {
   const auto pixels = [&](const char* key) { return size_px(keys.number(key), keys.file + ": " + key); };
   const double fx = keys.number("fl_x");
   return {name,
@@ -78,10 +78,10 @@ ModelCalibrationFile read_nerfstudio(const JsonKeys& root, const std::string& na
     nlohmann::json merged = top;
     merged.update(frame);
     const std::string path = JsonKeys{frame, root.file}.text("file_path"), where = root.file + ": " + path;
-    add_camera(file, path, [&] { return read_one(JsonKeys{merged, where}, path); });
+    add_camera(file, path, [&] { return read_nerfstudio_camera(JsonKeys{merged, where}, path); });
   }
   if (file.cameras.empty() && file.unread.empty())
-    file.cameras.push_back(read_one(JsonKeys{top, root.file}, name));
+    file.cameras.push_back(read_nerfstudio_camera(JsonKeys{top, root.file}, name));
   return file;
 }
 

@@ -26,7 +26,7 @@ LensModel read_lens(const JsonKeys& keys) {
                     .p2 = optional("p2")};
 }
 
-ModelCamera read_one(const JsonKeys& root, const std::string& prefix) {
+ModelCamera read_orbslam_camera(const JsonKeys& root, const std::string& prefix) {
   // Only this camera's keys, without their prefix; what both cameras share (type, size) stands under
   // `Camera.`.
   constexpr std::array own_to_each{"fx", "fy", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2"};
@@ -61,9 +61,10 @@ ModelCalibrationFile read_orbslam(const JsonKeys& root) {
   ModelCalibrationFile file;
   for (const std::string prefix : prefixes)
     if (root.json.contains(prefix + "fx"))
-      add_camera(file, prefix.substr(0, prefix.size() - 1), [&] { return read_one(root, prefix); });
+      add_camera(file, prefix.substr(0, prefix.size() - 1),
+                 [&] { return read_orbslam_camera(root, prefix); });
   if (file.cameras.empty() && file.unread.empty())
-    add_camera(file, "Camera", [&] { return read_one(root, "Camera."); });
+    add_camera(file, "Camera", [&] { return read_orbslam_camera(root, "Camera."); });
   return file;
 }
 

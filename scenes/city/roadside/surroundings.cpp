@@ -10,7 +10,9 @@
 namespace cps::city {
 namespace {
 
-constexpr double pi = std::numbers::pi, horizon_m = 6000;
+using std::numbers::pi;
+
+constexpr double horizon_m = 6000;
 constexpr int directions = 192;
 
 /// Height of the country: just below the pavements at the rim of the built area, hills far away.

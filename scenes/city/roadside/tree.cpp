@@ -10,7 +10,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What the normals of a leaf card follow: the surface of a clump of leaves around `clump`, on a crown whose
 /// surface faces `outwards`.

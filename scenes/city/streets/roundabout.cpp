@@ -7,7 +7,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int fillet_steps = 6, ring_steps = 16;
 
 double angle_of(const Vec2& v) {
@@ -37,18 +37,18 @@ Fillet kerb_fillet(const Roundabout& r, const Vec2& middle, const Vec2& on_line,
   return fillet_to_ring(middle, r.outer_m + inset_m, on_line, on, aside, std::max(0.0, r.fillet_m - inset_m));
 }
 
-Station end_of(const Polyline& line) {
+Station last_station(const Polyline& line) {
   return {line.back(), (line.back() - line[line.size() - 2]).normalized()};
 }
 
-Station start_of(const Polyline& line) {
+Station first_station(const Polyline& line) {
   return {line[0], (line[1] - line[0]).normalized()};
 }
 
 /// The angle that the ring's kerb covers between two arms; negative if they are too close together.
 double ring_between(const Roundabout& r, const Vec2& middle, const Polyline& arriving,
                     const Polyline& leaving, double inset_m) {
-  const Station in = end_of(arriving), out = start_of(leaving);
+  const Station in = last_station(arriving), out = first_station(leaving);
   const Vec2 a = kerb_fillet(r, middle, in.point, in.direction, left_of(in.direction), inset_m).on_ring,
              b = kerb_fillet(r, middle, out.point, -out.direction, left_of(out.direction), inset_m).on_ring;
   const double between =
@@ -110,7 +110,7 @@ double roundabout_cut_m(const Roundabout& r, double half_width_m) {
 
 Polyline around_roundabout(const Roundabout& r, const Vec2& middle, const Polyline& arriving,
                            const Polyline& leaving, double inset_m) {
-  const Station in = end_of(arriving), out = start_of(leaving);
+  const Station in = last_station(arriving), out = first_station(leaving);
   const Fillet a = kerb_fillet(r, middle, in.point, in.direction, left_of(in.direction), inset_m),
                b = kerb_fillet(r, middle, out.point, -out.direction, left_of(out.direction), inset_m);
   Polyline line = arc(a.centre, a.on_line, sweep(a.centre, a.on_line, a.on_ring), fillet_steps);

@@ -15,7 +15,7 @@
 namespace cps::gltf {
 namespace {
 
-constexpr const char* extension_name = "KHR_draco_mesh_compression";
+constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 
 int component_type(draco::DataType type) {
   switch (type) {
@@ -137,7 +137,7 @@ int add_attribute(Document& document, const draco::Mesh& mesh, int id, bool norm
 }  // namespace
 
 void complete_draco_accessors(nlohmann::json& root) {
-  const nlohmann::json::json_pointer view("/extensions/" + std::string(extension_name) + "/bufferView");
+  const nlohmann::json::json_pointer view("/extensions/" + std::string(draco_extension) + "/bufferView");
   if (!root.contains("meshes") || !root.contains("accessors")) return;
   nlohmann::json& accessors = root["accessors"];
   for (const auto& mesh : root["meshes"]) {
@@ -153,11 +153,11 @@ void complete_draco_accessors(nlohmann::json& root) {
 
 tinygltf::Primitive without_draco(Document& document, const tinygltf::Primitive& primitive,
                                   const std::string& where) {
-  const auto extension = primitive.extensions.find(extension_name);
+  const auto extension = primitive.extensions.find(draco_extension);
   if (extension == primitive.extensions.end()) return primitive;
   const tinygltf::Value& value = extension->second;
   if (!value.Has("bufferView") || !value.Get("bufferView").IsInt() || !value.Has("attributes"))
-    refuse(document, where + "." + extension_name, "must have a bufferView and attributes");
+    refuse(document, where + "." + draco_extension, "must have a bufferView and attributes");
   const std::unique_ptr<draco::Mesh> mesh = decode(document, value.Get("bufferView").GetNumberAsInt(), where);
 
   tinygltf::Primitive decoded = primitive;

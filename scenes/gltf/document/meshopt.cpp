@@ -7,7 +7,7 @@
 namespace cps::gltf {
 namespace {
 
-constexpr const char* extension_name = "EXT_meshopt_compression";
+constexpr const char* meshopt_extension = "EXT_meshopt_compression";
 
 /// The extension's JSON object in a buffer view.
 struct CompressedView {
@@ -79,7 +79,7 @@ std::vector<unsigned char> decoded(const CompressedView& view) {
 }  // namespace
 
 void complete_meshopt_buffers(nlohmann::json& root) {
-  const nlohmann::json::json_pointer extension("/extensions/" + std::string(extension_name));
+  const nlohmann::json::json_pointer extension("/extensions/" + std::string(meshopt_extension));
   if (!root.contains("buffers") || !root["buffers"].is_array()) return;
   for (nlohmann::json& buffer : root["buffers"])
     if (buffer.is_object() && buffer.contains(extension))
@@ -89,10 +89,10 @@ void complete_meshopt_buffers(nlohmann::json& root) {
 void decode_meshopt_views(Document& document) {
   for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
     tinygltf::BufferView& view = document.model.bufferViews[i];
-    const auto extension = view.extensions.find(extension_name);
+    const auto extension = view.extensions.find(meshopt_extension);
     if (extension == view.extensions.end()) continue;
     tinygltf::Buffer buffer;
-    buffer.data = decoded({document, extension->second, element("bufferViews", i) + "." + extension_name});
+    buffer.data = decoded({document, extension->second, element("bufferViews", i) + "." + meshopt_extension});
     document.model.buffers.push_back(std::move(buffer));
     view.buffer = static_cast<int>(document.model.buffers.size()) - 1;
     view.byteOffset = 0;

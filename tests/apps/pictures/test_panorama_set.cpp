@@ -14,7 +14,7 @@ using namespace cps;
 
 namespace {
 
-constexpr int width = 1024;
+constexpr int panorama_width = 1024;
 constexpr double spot_deg = 1;  ///< standard deviation
 
 /// The direction of a channel's bright spot: right, ahead-left, behind.
@@ -25,13 +25,13 @@ Eigen::Vector3d spot(int channel) {
 
 /// Light of a panorama that is dark but for a spot in each channel.
 double light(int x, int y, int channel) {
-  const Eigen::Vector3d d = direction({width, width / 2}, {double(x), double(y)});
+  const Eigen::Vector3d d = direction({panorama_width, panorama_width / 2}, {double(x), double(y)});
   const double angle_deg = degrees(std::acos(std::clamp(d.dot(spot(channel)), -1.0, 1.0)));
   return std::exp(-0.5 * angle_deg * angle_deg / (spot_deg * spot_deg));
 }
 
 void write_spots(const fs::path& file) {
-  write_image(file, width, width / 2, 3, OIIO::TypeUInt16, [](int x, int y, int c) {
+  write_image(file, panorama_width, panorama_width / 2, 3, OIIO::TypeUInt16, [](int x, int y, int c) {
     const double value = light(x, y, c);
     return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
   });
@@ -152,7 +152,8 @@ TEST_CASE("panoramas that are added leave parts and images of the others as they
 TEST_CASE("a panorama of linear light is exposed as a render is") {
   const TemporaryFolder folder;
   const fs::path in = folder.path / "panoramas", out = folder.path / "set";
-  write_image(in / "gray.exr", width, width / 2, 3, OIIO::TypeFloat, [](int, int, int) { return 40; });
+  write_image(in / "gray.exr", panorama_width, panorama_width / 2, 3, OIIO::TypeFloat,
+              [](int, int, int) { return 40; });
   run_well("relens --panorama " + in.string() + " -o " + out.string() + " --views 2 --size 48x32");
   for (const auto& [file, part] : parts_of_files(out)) {
     const OIIO::ImageBuf image = read_image(out / file);

@@ -11,7 +11,7 @@ using namespace cps;
 
 namespace {
 
-constexpr int width = 24, height = 16;
+constexpr int mutant_width = 24, mutant_height = 16;
 
 struct Sample {
   std::string extension;
@@ -24,11 +24,13 @@ std::vector<Sample> picture_samples(const fs::path& folder) {
   for (const PictureFormat& format : picture_formats())
     for (const OIIO::TypeDesc& type : format.types) {
       const std::string extension = format.extensions.front();
-      Picture picture{
-          .pixels = {}, .file = OIIO::ImageSpec(width, height, 3, type), .is_light = true, .is_srgb = true};
-      picture.pixels.reset(OIIO::ImageSpec(width, height, 3, OIIO::TypeFloat));
-      for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
+      Picture picture{.pixels = {},
+                      .file = OIIO::ImageSpec(mutant_width, mutant_height, 3, type),
+                      .is_light = true,
+                      .is_srgb = true};
+      picture.pixels.reset(OIIO::ImageSpec(mutant_width, mutant_height, 3, OIIO::TypeFloat));
+      for (int y = 0; y < mutant_height; ++y)
+        for (int x = 0; x < mutant_width; ++x) {
           const float pixel[] = {static_cast<float>(noise(x, y, 0)), static_cast<float>(noise(x, y, 1)),
                                  0.5f};
           picture.pixels.setpixel(x, y, pixel);
@@ -65,9 +67,10 @@ void read_mutations(std::uint64_t seed, int count) {
     write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     INFO("mutation " << i << ", " << extension);
     try {
-      const Picture picture = read_picture(file, Encoding::automatic, Resampling::footprint, width, height);
-      REQUIRE(picture.pixels.spec().width == width);
-      REQUIRE(picture.pixels.spec().height == height);
+      const Picture picture =
+          read_picture(file, Encoding::automatic, Resampling::footprint, mutant_width, mutant_height);
+      REQUIRE(picture.pixels.spec().width == mutant_width);
+      REQUIRE(picture.pixels.spec().height == mutant_height);
       ++read;
     } catch (const std::runtime_error& error) {
       const std::string line = error.what();
@@ -96,8 +99,9 @@ TEST_CASE("a DPX that announces more user data than it holds is refused") {
     bytes[32] = bytes[35] = '\x80';  // whichever of the two byte orders it has
     const fs::path file = folder.path / "user_data.dpx";
     write_file(file, bytes);
-    CHECK_THROWS_WITH(read_picture(file, Encoding::automatic, Resampling::footprint, width, height),
-                      Catch::Contains("user_data.dpx: is damaged") && Catch::Contains("of user data"));
+    CHECK_THROWS_WITH(
+        read_picture(file, Encoding::automatic, Resampling::footprint, mutant_width, mutant_height),
+        Catch::Contains("user_data.dpx: is damaged") && Catch::Contains("of user data"));
   }
 }
 

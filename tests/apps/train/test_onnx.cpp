@@ -17,12 +17,6 @@ void check_trainer_refuses(const std::string& arguments, int status, const std::
   CHECK(run.output == "cps-train: " + line + "\n");
 }
 
-void require_success(const std::string& arguments) {
-  const ProgramRun run = run_cps(arguments);
-  INFO("cps " << arguments << "\n" << run.output);
-  REQUIRE(run.exit_status == 0);
-}
-
 }  // namespace
 
 TEST_CASE("options of an export that do not go together are refused as wrong usage") {

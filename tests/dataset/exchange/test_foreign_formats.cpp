@@ -7,7 +7,7 @@ using namespace cps;
 namespace {
 
 /// fx, fy, the centre and all coefficients differ, so that any exchange shows.
-const Pinhole pinhole{640, 480, 500, 501, 318.25, 241.75};
+const Pinhole foreign_pinhole{640, 480, 500, 501, 318.25, 241.75};
 const Distortion lens{.k1 = -0.3, .k2 = 0.1, .p1 = 0.001, .p2 = -0.002};
 
 CalibratedCamera only_camera_of(const std::string& name, const std::string& text, ImageSize size = {0, 0}) {
@@ -29,9 +29,9 @@ const std::string ros_message =
 }  // namespace
 
 TEST_CASE("ROS messages: K and D, or k and d; parts of a sensor are refused") {
-  check_camera(only_camera_of("a.yaml", ros_message), pinhole, lens);
+  check_camera(only_camera_of("a.yaml", ros_message), foreign_pinhole, lens);
   const std::string ros2 = with(with(ros_message, "\nD:", "\nd:"), "\nK:", "\nk:");
-  check_camera(only_camera_of("a.yaml", ros2 + "---\n"), pinhole, lens);
+  check_camera(only_camera_of("a.yaml", ros2 + "---\n"), foreign_pinhole, lens);
   CHECK_THAT(refusal("a.yaml", with(ros_message, "plumb_bob", "thin_prism")),
              Catch::Contains("distortion_model: is thin_prism"));
   CHECK_THAT(refusal("a.yaml", with(ros_message, "binning_x: 0", "binning_x: 2")),
@@ -46,7 +46,7 @@ TEST_CASE("EuRoC's sensor.yaml") {
       "  data: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\nrate_hz: 20\nresolution: [640, 480]\n"
       "camera_model: pinhole\nintrinsics: [500.0, 501.0, 318.25, 241.75]\n"
       "distortion_model: radial-tangential\ndistortion_coefficients: [-0.3, 0.1, 0.001, -0.002]\n";
-  check_camera(only_camera_of("sensor.yaml", euroc), pinhole, lens);
+  check_camera(only_camera_of("sensor.yaml", euroc), foreign_pinhole, lens);
   CHECK_THAT(refusal("sensor.yaml", with(euroc, "pinhole", "omni")),
              Catch::Contains("camera_model: is omni"));
   CHECK_THAT(refusal("sensor.yaml", with(euroc, "resolution: [640, 480]", "resolution: [640]")),
@@ -58,17 +58,17 @@ TEST_CASE("ORB-SLAM settings") {
       "%YAML:1.0\n\nCamera.type: \"PinHole\"\nCamera.fx: 500.0\nCamera.fy: 501.0\nCamera.cx: 318.25\n"
       "Camera.cy: 241.75\nCamera.k1: -0.3\nCamera.k2: 0.1\nCamera.p1: 0.001\nCamera.p2: -0.002\n"
       "Camera.width: 640\nCamera.height: 480\nCamera.fps: 20.0\nORBextractor.nFeatures: 1200\n";
-  check_camera(only_camera_of("a.yaml", orb), pinhole, lens);
+  check_camera(only_camera_of("a.yaml", orb), foreign_pinhole, lens);
   Distortion with_k3 = lens;
   with_k3.k3 = 0.05;
-  check_camera(only_camera_of("a.yaml", orb + "Camera.k3: 0.05\n"), pinhole, with_k3);
+  check_camera(only_camera_of("a.yaml", orb + "Camera.k3: 0.05\n"), foreign_pinhole, with_k3);
   CHECK_THAT(refusal("a.yaml", with(orb, "PinHole", "KannalaBrandt8")),
              Catch::Contains("p1: is 0.001, a coefficient"));
   CHECK_THAT(refusal("a.yaml", orb + "Camera.k4: 0.01\n"), Catch::Contains("k4"));
   // Version 2 leaves the size out.
   const std::string sizeless = with(with(orb, "Camera.width: 640\n", ""), "Camera.height: 480\n", "");
   CHECK_THAT(refusal("a.yaml", sizeless), Catch::Contains("--size"));
-  check_camera(only_camera_of("a.yaml", sizeless, {640, 480}), pinhole, lens);
+  check_camera(only_camera_of("a.yaml", sizeless, {640, 480}), foreign_pinhole, lens);
   // Version 3 counts its cameras.
   const std::filesystem::path file = file_of(
       "stereo.yaml",
@@ -76,7 +76,7 @@ TEST_CASE("ORB-SLAM settings") {
       "Camera1.fy: 501.0\nCamera1.cx: 318.25\nCamera1.cy: 241.75\nCamera1.k1: -0.3\nCamera1.k2: 0.1\n"
       "Camera1.p1: 0.001\nCamera1.p2: -0.002\nCamera2.fx: 400.0\nCamera2.fy: 401.0\nCamera2.cx: 300.0\n"
       "Camera2.cy: 200.0\n");
-  check_camera(read_camera(file, "Camera1"), pinhole, lens);
+  check_camera(read_camera(file, "Camera1"), foreign_pinhole, lens);
   check_camera(read_camera(file, "Camera2"), {640, 480, 400, 401, 300, 200}, {});
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("VINS and camodocal") {
       "distortion_parameters:\n   k1: -0.3\n   k2: 0.1\n   p1: 0.001\n   p2: -0.002\n"
       "projection_parameters:\n   fx: 500.0\n   fy: 501.0\n   cx: 318.25\n   cy: 241.75\n";
   const CalibratedCamera camera = only_camera_of("a.yaml", vins);
-  check_camera(camera, pinhole, lens);
+  check_camera(camera, foreign_pinhole, lens);
   CHECK(camera.name == "front");
   CHECK_THAT(refusal("a.yaml", with(vins, "PINHOLE", "SCARAMUZZA")),
              Catch::Contains("model_type: is SCARAMUZZA"));
@@ -105,11 +105,11 @@ TEST_CASE("OpenCV 2.4's capitals, and matrices as nested lists") {
                      "0. 1.</data></Camera_Matrix>\n<Distortion_Coefficients "
                      "type_id=\"opencv-matrix\"><rows>4</rows><cols>1</cols><dt>d</dt><data>-0.3 0.1 "
                      "0.001 -0.002</data></Distortion_Coefficients>\n</opencv_storage>\n"),
-      pinhole, lens);
+      foreign_pinhole, lens);
   check_camera(only_camera_of("a.json",
                               R"({"image_size": [640, 480], "dist_coeffs": [[-0.3, 0.1, 0.001, -0.002, 0]],
                               "camera_matrix": [[500, 0, 318.25], [0, 501, 241.75], [0, 0, 1]]})"),
-               pinhole, lens);
+               foreign_pinhole, lens);
 }
 
 TEST_CASE("nerfstudio: models by name, and a frame's own numbers override the file's") {
@@ -162,5 +162,5 @@ TEST_CASE("KITTI odometry says no size; KITTI-360's perspective cameras are KITT
       only_camera_of("perspective.txt",
                      "calib_time: none\ncorner_dist: 0.1\nS_00: 640 480\nK_00: 500 0 318.25 0 501 241.75 "
                      "0 0 1\nD_00: -0.3 0.1 0.001 -0.002 0\nP_rect_00: 1 0 0 0 0 1 0 0 0 0 1 0\n"),
-      pinhole, lens);
+      foreign_pinhole, lens);
 }

@@ -7,6 +7,7 @@
 #include "dataset/export/coco_categories.h"
 #include "tests/dataset/export/coco_masks.h"
 #include "tests/dataset/export/exported.h"
+#include "tests/dataset/export/stopped_export.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -15,14 +16,6 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr std::array parts = {Part::train, Part::val, Part::test};
-
-struct Stopped {};
-
-ExportProgress stop_after(std::size_t calls) {
-  return [calls](std::int64_t, const std::string&) mutable {
-    if (--calls == 0) throw Stopped{};
-  };
-}
 
 Json annotations(const fs::path& out, Part part) {
   return read_json(out / "annotations" / ("instances_" + to_string(part) + ".json"));

@@ -3,6 +3,7 @@
 #include "files/file_lock.h"
 #include "tests/dataset/edit_csv.h"
 #include "tests/dataset/export/exported.h"
+#include "tests/dataset/export/stopped_export.h"
 
 using namespace cps;
 namespace fs = std::filesystem;
@@ -11,15 +12,6 @@ namespace {
 
 constexpr std::array all_targets = {ExportTarget::webdataset, ExportTarget::huggingface, ExportTarget::colmap,
                                     ExportTarget::nerfstudio, ExportTarget::kitti,       ExportTarget::coco};
-
-struct Stopped {};
-
-/// Stops an export after some images, as a killed process does between two files.
-ExportProgress stop_after(int calls) {
-  return [calls](std::int64_t, const std::string&) mutable {
-    if (--calls == 0) throw Stopped{};
-  };
-}
 
 std::size_t images_below(const fs::path& folder) {
   std::size_t count = 0;

@@ -7,7 +7,7 @@ using namespace cps;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The first of many angles at which the radius jumps below 0 (its denominator has passed 0) or stops
 /// growing.

@@ -67,14 +67,14 @@ Interval mean_slopes(const Samples& samples, std::size_t count) {
   return slopes;
 }
 
-struct Tally {
+struct RadialTally {
   int valid = 0, clearly_valid = 0, missed = 0, false_valid = 0, unsound_bounds = 0, short_regions = 0;
 };
 
 template <typename Lens>
-Tally compare_with_samples(std::size_t family, int lenses) {
+RadialTally compare_with_samples(std::size_t family, int lenses) {
   const Stream stream = make_stream(41, "radial certificate");
-  Tally tally;
+  RadialTally tally;
   for (int i = 0; i < lenses; ++i) {
     const Lens lens = std::get<Lens>(random_model(family, stream, i));
     const double corner = std::exp(random_uniform(substream(stream, i), 50, std::log(0.2), std::log(4)));
@@ -104,7 +104,7 @@ Tally compare_with_samples(std::size_t family, int lenses) {
   return tally;
 }
 
-void check(const Tally& tally, int lenses) {
+void check(const RadialTally& tally, int lenses) {
   INFO(tally.valid << " valid, " << tally.clearly_valid << " clearly, " << tally.missed << " missed of "
                    << lenses);
   CHECK(tally.clearly_valid > lenses / 10);

@@ -44,17 +44,17 @@ Interval eigenvalues_on_grid(const RationalLens& lens, const Eigen::AlignedBox2d
   return range;
 }
 
-struct Tally {
+struct RationalTally {
   int lenses = 0, valid = 0, clearly_valid = 0, missed = 0, false_valid = 0, unsound_bounds = 0,
       disagreeing = 0;
   double loosest = 0;
 };
 
 /// Compares certificates with a grid search; half of the rectangles are not centred on the principal point.
-Tally compare_with_grid(int lenses, int steps) {
+RationalTally compare_with_grid(int lenses, int steps) {
   const Stream stream = make_stream(43, "rational certificate");
   const CertificateOptions options;
-  Tally tally;
+  RationalTally tally;
   for (int i = 0; i < lenses; ++i) {
     const Pinhole camera = random_camera(stream, i);
     const RationalLens lens = random_rational(stream, i, camera);
@@ -80,7 +80,7 @@ Tally compare_with_grid(int lenses, int steps) {
   return tally;
 }
 
-void check(const Tally& tally) {
+void check(const RationalTally& tally) {
   INFO(tally.valid << " valid of " << tally.lenses << ", " << tally.missed << " missed of "
                    << tally.clearly_valid << ", bounds loose by " << tally.loosest);
   CHECK(tally.clearly_valid > tally.lenses / 10);

@@ -20,9 +20,9 @@ using namespace cps;
 
 namespace {
 
-const WarpOptions lenient{.require_resolution = false};
+const WarpOptions any_resolution{.require_resolution = false};
 
-OIIO::ImageBuf noise(const Panorama& size, int channels) {
+OIIO::ImageBuf noise_picture(const Panorama& size, int channels) {
   OIIO::ImageBuf image(OIIO::ImageSpec(size.width, size.height, channels, OIIO::TypeFloat));
   float* values = static_cast<float*>(image.localpixels());
   for (std::size_t i = 0; i < image.spec().image_pixels() * channels; ++i)
@@ -119,7 +119,7 @@ TEST_CASE("a bright spot appears where the camera's turn puts it") {
   };
   const ModelCamera camera{"", {101, 101, 80, 80, 50, 50}, KannalaBrandt{}};
   const auto brightest = [&](const Pose& pose) {
-    const auto image = photograph_panorama(panorama, pose.rotation(), camera, lenient);
+    const auto image = photograph_panorama(panorama, pose.rotation(), camera, any_resolution);
     Eigen::Vector2d at(0, 0);
     for (int y = 0; y < 101; ++y)
       for (int x = 0; x < 101; ++x)
@@ -147,7 +147,7 @@ TEST_CASE("a constant panorama gives exactly that constant even at the poles") {
   const ModelCamera wide{"", {101, 101, 30, 30, 50, 50}, KannalaBrandt{}};  // up to 135° off the axis
   for (const Pose& pose : poses) {
     WarpSummary summary;
-    const auto image = photograph_panorama(panorama, pose.rotation(), wide, lenient, &summary);
+    const auto image = photograph_panorama(panorama, pose.rotation(), wide, any_resolution, &summary);
     CHECK(summary.uncovered_pixels == 0);
     for (int y = 0; y < 101; ++y)
       for (int x = 0; x < 101; ++x)
@@ -157,12 +157,12 @@ TEST_CASE("a constant panorama gives exactly that constant even at the poles") {
 }
 
 TEST_CASE("a photograph of a panorama is the kernel's mean over the sphere") {
-  const auto panorama = noise({128, 64}, 1);
+  const auto panorama = noise_picture({128, 64}, 1);
   for (const ModelCamera& camera : family_cameras(18, 14, 13)) {
     const RayRegion region = proved_region(camera);
     for (const Pose& pose : poses) {
       const Eigen::Matrix3d rotation = pose.rotation();
-      const auto image = photograph_panorama(panorama, rotation, camera, lenient);
+      const auto image = photograph_panorama(panorama, rotation, camera, any_resolution);
       for (int y = 0; y < 14; y += 2)
         for (int x = y % 4 / 2; x < 18; x += 2) {
           INFO(camera.name << ", yaw " << pose.yaw_deg << ", pitch " << pose.pitch_deg << ": " << x << ", "
@@ -177,7 +177,7 @@ TEST_CASE("a photograph of a panorama is the kernel's mean over the sphere") {
   for (const double pitch_deg : {90.0, -90.0}) {
     const ModelCamera camera = single_pixel(9);
     const Eigen::Matrix3d rotation = Pose{0, pitch_deg, 0}.rotation();
-    CHECK(photograph_panorama(panorama, rotation, camera, lenient).getchannel(0, 0, 0, 0) ==
+    CHECK(photograph_panorama(panorama, rotation, camera, any_resolution).getchannel(0, 0, 0, 0) ==
           Approx(slow_pixel(panorama, rotation, camera, proved_region(camera), 0.5, {0, 0})).margin(2e-6));
   }
 }
@@ -193,7 +193,7 @@ TEST_CASE("a smooth world is photographed as it is by every family in every dire
     for (const Pose& pose : poses) {
       const Eigen::Matrix3d rotation = pose.rotation();
       WarpSummary summary;
-      const auto image = photograph_panorama(panorama, rotation, camera, lenient, &summary);
+      const auto image = photograph_panorama(panorama, rotation, camera, any_resolution, &summary);
       CHECK(summary.worst_residual_px < 1e-8);
       double worst = 0;
       for (int y = 0; y < 44; ++y)
@@ -209,7 +209,7 @@ TEST_CASE("a smooth world is photographed as it is by every family in every dire
 }
 
 TEST_CASE("a yaw by whole pixels is a turned panorama") {
-  const auto panorama = noise({128, 64}, 2);
+  const auto panorama = noise_picture({128, 64}, 2);
   OIIO::ImageBuf turned(panorama.spec());
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 128; ++x)
@@ -217,8 +217,8 @@ TEST_CASE("a yaw by whole pixels is a turned panorama") {
                   static_cast<float*>(turned.pixeladdr(x, y)));
   const ModelCamera camera = family_cameras(40, 30, 20)[2];
   const auto by_yaw = photograph_panorama(
-      panorama, panorama_from_camera(2 * std::numbers::pi * 50 / 128, 0.9, 0.2), camera, lenient);
-  const auto by_hand = photograph_panorama(turned, panorama_from_camera(0, 0.9, 0.2), camera, lenient);
+      panorama, panorama_from_camera(2 * std::numbers::pi * 50 / 128, 0.9, 0.2), camera, any_resolution);
+  const auto by_hand = photograph_panorama(turned, panorama_from_camera(0, 0.9, 0.2), camera, any_resolution);
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 40; ++x)
       for (int channel = 0; channel < 2; ++channel)
@@ -227,12 +227,12 @@ TEST_CASE("a yaw by whole pixels is a turned panorama") {
 }
 
 TEST_CASE("the narrowest kernel has a closed form") {
-  const auto panorama = noise({1024, 512}, 1);
+  const auto panorama = noise_picture({1024, 512}, 1);
   const double per_rad = 1024 / (2 * std::numbers::pi);
   for (const double pitch_deg : {0.0, 35.0, 90.0})
     for (const double focal : {40.0, 90.0}) {
       WarpSummary summary;
-      photograph_panorama(panorama, Pose{10, pitch_deg, 0}.rotation(), single_pixel(focal), lenient,
+      photograph_panorama(panorama, Pose{10, pitch_deg, 0}.rotation(), single_pixel(focal), any_resolution,
                           &summary);
       const double size = per_rad / focal;  // of the output's pixel
       CHECK(summary.smallest_kernel_sigma_px ==
@@ -241,7 +241,7 @@ TEST_CASE("the narrowest kernel has a closed form") {
 }
 
 TEST_CASE("pixel types and channels of a panorama do not matter") {
-  const auto three = noise({256, 128}, 3);
+  const auto three = noise_picture({256, 128}, 3);
   const ModelCamera camera = family_cameras(40, 30, 30)[4];
   const Eigen::Matrix3d rotation = Pose{175, 60, 30}.rotation();
   const auto reference = photograph_panorama(three, rotation, camera);
@@ -263,12 +263,12 @@ TEST_CASE("pixel types and channels of a panorama do not matter") {
 }
 
 TEST_CASE("a photograph of a panorama has the same bytes for any number of threads") {
-  const auto panorama = noise({256, 128}, 3);
+  const auto panorama = noise_picture({256, 128}, 3);
   const ModelCamera camera = family_cameras(150, 140, 60)[3];
   std::vector<OIIO::ImageBuf> images;
   for (const int threads : {1, 2, 5}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    images.push_back(photograph_panorama(panorama, Pose{170, 70, 5}.rotation(), camera, lenient));
+    images.push_back(photograph_panorama(panorama, Pose{170, 70, 5}.rotation(), camera, any_resolution));
   }
   CHECK(same_bytes(images[0], images[1]));
   CHECK(same_bytes(images[0], images[2]));
@@ -277,10 +277,11 @@ TEST_CASE("a photograph of a panorama has the same bytes for any number of threa
 TEST_CASE("a photograph of a panorama refuses unusable input in one line") {
   const ModelCamera camera = family_camera(KannalaBrandt{}, 60, 40, 25);
   const Eigen::Matrix3d ahead = Eigen::Matrix3d::Identity();
-  const auto panorama = noise({200, 100}, 1);
-  CHECK_THROWS_WITH(photograph_panorama(noise({200, 110}, 1), ahead, camera),
+  const auto panorama = noise_picture({200, 100}, 1);
+  CHECK_THROWS_WITH(photograph_panorama(noise_picture({200, 110}, 1), ahead, camera),
                     Catch::Contains("200 x 110") && Catch::Contains("twice as wide"));
-  CHECK_THROWS_WITH(photograph_panorama(noise({200, 100}, 5), ahead, camera), Catch::Contains("channels"));
+  CHECK_THROWS_WITH(photograph_panorama(noise_picture({200, 100}, 5), ahead, camera),
+                    Catch::Contains("channels"));
   CHECK_THROWS_WITH(photograph_panorama(OIIO::ImageBuf(), ahead, camera), Catch::Contains("memory"));
   CHECK_THROWS_WITH(photograph_panorama(panorama, ahead, camera, {.kernel_sigma_px = 9}),
                     Catch::Contains("kernel_sigma_px"));

@@ -126,5 +126,7 @@ TEST_CASE("straight views: the widest without black, everything, and the camera'
   CHECK(whole > 5);
   const CalibratedCamera camera{"", {120, 72, 100, 101, 60, 30}, {.k1 = -0.1}};
   CHECK(fit_straight_view(camera, Keep::camera, 120, 72, sigma_px).camera == camera.pinhole);
-  CHECK_FALSE(fit_straight_view({"", {120, 72, 0, 101, 60, 30}, {}}, Keep::all, 120, 72, sigma_px).valid);
+  CHECK_FALSE(
+      fit_straight_view(CalibratedCamera{"", {120, 72, 0, 101, 60, 30}, {}}, Keep::all, 120, 72, sigma_px)
+          .valid);
 }

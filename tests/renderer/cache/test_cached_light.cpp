@@ -12,7 +12,7 @@ using namespace cps::handmade;
 
 namespace {
 
-constexpr int max_shaded_vertices = 5;
+constexpr int cached_vertices = 5;
 
 /// A scene, lit, with a cache.
 struct Cached {
@@ -21,7 +21,7 @@ struct Cached {
   LightCache cache;
 
   Cached(const Scene& scene, SkyAndSun light, LightCacheOptions options = {})
-      : scene(scene), lit(scene, std::move(light)), cache(scene, lit, max_shaded_vertices, options) {}
+      : scene(scene), lit(scene, std::move(light)), cache(scene, lit, cached_vertices, options) {}
 
   OIIO::ImageBuf picture(const Camera& view, int samples, std::uint64_t seed = 0) {
     return render(lit, view, {.samples = samples, .seed = seed, .cache = &cache});
@@ -57,7 +57,7 @@ Scene street() {
   return scene;
 }
 
-SkyAndSun day() {
+SkyAndSun high_sun() {
   return make_sky_and_sun({.sun_elevation_deg = 50, .sun_azimuth_deg = 120});
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("under the same light from everywhere, cached light is that light, wha
 }
 
 TEST_CASE("cached and traced light agree in a street with sun, sky, lamp, steps and steel") {
-  Cached made(street(), day());
+  Cached made(street(), high_sun());
   const Camera view = down_the_street();
   const OIIO::ImageBuf cached = made.picture(view, 256), traced = made.traced(view, 1024, 1);
   CHECK(mean_difference(cached, traced) < 0.005);
@@ -153,18 +153,18 @@ TEST_CASE("a marking just above the road is as bright as the road's light makes 
 
 TEST_CASE("cached pictures have the same bytes for any threads, order of views and memory") {
   const Camera first = down_the_street(), second = camera({-2, 3, -20}, {0, 1, 5}, 64, 48, 60);
-  Cached reference(street(), day());
+  Cached reference(street(), high_sun());
   const OIIO::ImageBuf expected = reference.picture(first, 2, 3);
   REQUIRE(reference.cache.summary().cells > 1000);
   for (const int threads : {1, 2, 16}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    Cached again(street(), day());
+    Cached again(street(), high_sun());
     CHECK(same_bytes(again.picture(first, 2, 3), expected));
   }
-  Cached other_order(street(), day());
+  Cached other_order(street(), high_sun());
   other_order.picture(second, 1, 8);
   CHECK(same_bytes(other_order.picture(first, 2, 3), expected));
-  Cached forgetful(street(), day(), {.memory_gib = 1e-5});
+  Cached forgetful(street(), high_sun(), {.memory_gib = 1e-5});
   CHECK(forgetful.cache.summary().cells == 0);
   const Camera small = down_the_street(24, 16);
   CHECK(same_bytes(forgetful.picture(small, 1, 3), reference.picture(small, 1, 3)));

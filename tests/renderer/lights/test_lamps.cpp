@@ -12,7 +12,7 @@ using namespace cps::handmade;
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float pi_f = std::numbers::pi_v<float>;
 const Color albedo(0.6f, 0.4f, 0.2f);
 
 /// A Lambert floor around the origin.
@@ -34,7 +34,7 @@ PunctualLight light(PunctualLight::Kind kind, const Vec3& position, const Vec3& 
 Color illuminance(const Scene& scene, int samples = 64) {
   const RenderScene built(scene, no_light());
   const Camera view = camera({0, 3, 4}, {0, 0, 0}, 8, 8, 0.01);
-  return mean(render(built, view, {.samples = samples, .max_shaded_vertices = 1})) * pi / albedo;
+  return mean(render(built, view, {.samples = samples, .max_shaded_vertices = 1})) * pi_f / albedo;
 }
 
 double worst(const Color& seen, const Color& exact) {
@@ -92,10 +92,10 @@ TEST_CASE("A spot light is full within its inner cone and fades to nothing at it
   for (float angle_deg : {0.0f, 15.0f, 25.0f, 29.0f, 31.0f}) {
     CAPTURE(angle_deg);
     Scene scene = floor();
-    const float a = angle_deg * pi / 180;
+    const float a = angle_deg * pi_f / 180;
     scene.lights = {light(PunctualLight::Kind::spot, {0, 2, 0}, {std::sin(a), -std::cos(a), 0})};
-    scene.lights[0].cos_inner = std::cos(20 * pi / 180);
-    scene.lights[0].cos_outer = std::cos(30 * pi / 180);
+    scene.lights[0].cos_inner = std::cos(20 * pi_f / 180);
+    scene.lights[0].cos_outer = std::cos(30 * pi_f / 180);
     const float range = scene.lights[0].cos_inner - scene.lights[0].cos_outer;
     const float t = std::clamp((std::cos(a) - scene.lights[0].cos_outer) / range, 0.0f, 1.0f);
     CHECK((illuminance(scene) - Color(1, 2, 3) / 4 * t * t).abs().maxCoeff() < 2e-3f);

@@ -11,7 +11,7 @@ using namespace cps;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Eigen::Vector2f uniform_pair(int i) {
   const Stream stream = make_stream(9, "sky");

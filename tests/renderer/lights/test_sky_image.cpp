@@ -13,7 +13,7 @@ using namespace cps;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// An equirectangular picture and its temporary file.
 struct Picture {

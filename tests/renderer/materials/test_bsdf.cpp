@@ -13,7 +13,7 @@ using namespace cps;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3 at_cosine(float cosine) {
   return {std::sqrt(1 - cosine * cosine), 0, cosine};

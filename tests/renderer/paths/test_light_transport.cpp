@@ -10,7 +10,7 @@ using namespace cps::handmade;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A level square of 40 m around the origin.
 Mesh ground(int material = 0) {

@@ -6,6 +6,7 @@
 #include "scenes/city/roadside/surroundings.h"
 #include "scenes/city/streets/driving_lanes.h"
 #include "scenes/city/streets/street_grid.h"
+#include "tests/scenes/city/all_styles.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -25,9 +26,6 @@ const Catalogue& catalogue() {
   static const Catalogue shared;
   return shared;
 }
-
-constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
-                                    CityStyle::industrial, CityStyle::mixed};
 
 /// The plan of a city, without meshes.
 struct City {

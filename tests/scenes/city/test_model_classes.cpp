@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// All models of the cities, one beside the other.
-struct Catalogue {
+struct LabelledModels {
   static constexpr float apart_m = 40;
   TemporaryFolder folder;
   fs::path file = folder.path / "models.glb";
@@ -58,8 +58,8 @@ struct Catalogue {
   }
 };
 
-const Catalogue& catalogue() {
-  static const Catalogue shared;
+const LabelledModels& labelled_models() {
+  static const LabelledModels shared;
   return shared;
 }
 
@@ -74,7 +74,7 @@ std::map<std::string, Names> classes_by_object(const Labelled& labelled) {
 }  // namespace
 
 TEST_CASE("a city has all of Cityscapes' classes, with its ids") {
-  const std::vector<SemanticClass>& classes = catalogue().labelled.classes.classes;
+  const std::vector<SemanticClass>& classes = labelled_models().labelled.classes.classes;
   REQUIRE(classes.size() == 34);
   for (int i = 0; i < 34; ++i) {
     CHECK(classes[i].id == i);
@@ -92,7 +92,7 @@ TEST_CASE("a city has all of Cityscapes' classes, with its ids") {
 }
 
 TEST_CASE("every model has the classes that Cityscapes gives to its parts") {
-  const ModelLibrary& models = catalogue().models;
+  const ModelLibrary& models = labelled_models().models;
   std::map<std::string, Names> expected{{"container", {"dynamic"}},
                                         {"container stack", {"dynamic"}},
                                         {"pallets", {"dynamic"}},
@@ -120,12 +120,12 @@ TEST_CASE("every model has the classes that Cityscapes gives to its parts") {
   expect({boundary(BoundaryKind::hedge)}, {"vegetation"});
   expect({boundary(BoundaryKind::picket_fence), boundary(BoundaryKind::mesh_fence)}, {"fence"});
   expect({boundary(BoundaryKind::low_wall), boundary(BoundaryKind::high_wall)}, {"wall"});
-  CHECK(classes_by_object(catalogue().labelled) == expected);
-  CHECK(catalogue().labelled.scene.objects.size() == catalogue().placed.size());
+  CHECK(classes_by_object(labelled_models().labelled) == expected);
+  CHECK(labelled_models().labelled.scene.objects.size() == labelled_models().placed.size());
 }
 
 TEST_CASE("rays meet the class of the part that is there") {
-  const Catalogue& all = catalogue();
+  const LabelledModels& all = labelled_models();
   const Vector3f to_left(0, 0, -1), forwards(0, 0, 1);
   for (std::size_t k = 0; k < vehicle_classes().size(); ++k) {
     const VehicleClass& c = vehicle_classes()[k];
@@ -153,7 +153,7 @@ TEST_CASE("rays meet the class of the part that is there") {
 }
 
 TEST_CASE("the bonnet in a city is the ego vehicle") {
-  Scene scene = catalogue().labelled.scene;
+  Scene scene = labelled_models().labelled.scene;
   add_ego_bonnet(scene);
   const SceneClasses classes = semantic_classes(scene);
   CHECK(classes.classes[classes.of_instance.back()].name == "ego vehicle");
@@ -161,7 +161,7 @@ TEST_CASE("the bonnet in a city is the ego vehicle") {
 }
 
 TEST_CASE("a city that another program has written counts as any other scene") {
-  const Catalogue& all = catalogue();
+  const LabelledModels& all = labelled_models();
   std::ifstream in(all.file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const std::string ours = "\"generator\":\"cps city\"", other = "\"generator\":\"modeller\"";

@@ -26,7 +26,7 @@ struct Box {
   Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::max()), high = -low;
 };
 
-Box bounds(const Mesh& mesh) {
+Box bounds(const city::Mesh& mesh) {
   Box box;
   for (const auto& [material, surface] : mesh.surfaces)
     for (const Eigen::Vector3f& p : surface.positions) {
@@ -38,7 +38,7 @@ Box bounds(const Mesh& mesh) {
 
 /// Checks arrays of equal length, unit normals, indices in range, finite coordinates, and that each normal's
 /// cosine with the triangle's front direction is at least `min_cosine`.
-void check_sane(const Mesh& mesh, double min_cosine) {
+void check_sane(const city::Mesh& mesh, double min_cosine) {
   INFO(mesh.name);
   for (const auto& [material, s] : mesh.surfaces) {
     REQUIRE(s.normals.size() == s.positions.size());
@@ -89,7 +89,7 @@ Materials any_materials() {
 
 TEST_CASE("vehicles have the size of their class, stand on the ground and are not inside out") {
   for (const VehicleClass& c : vehicle_classes()) {
-    Mesh car = vehicle(c, any_materials(), 20);
+    city::Mesh car = vehicle(c, any_materials(), 20);
     check_sane(car, -0.05);
     const Box box = bounds(car);
     CHECK(box.low.y() == Approx(0).margin(1e-3));
@@ -103,7 +103,7 @@ TEST_CASE("vehicles have the size of their class, stand on the ground and are no
 
 TEST_CASE("buses and two-wheelers have realistic sizes, stand on the ground and are not inside out") {
   const Materials m = any_materials();
-  const Mesh coach = bus(m, 23);
+  const city::Mesh coach = bus(m, 23);
   check_sane(coach, -0.05);
   CHECK(bounds(coach).low.y() == Approx(0).margin(1e-3));
   CHECK(bounds(coach).high.y() == Approx(bus_height_m));
@@ -112,7 +112,7 @@ TEST_CASE("buses and two-wheelers have realistic sizes, stand on the ground and 
   CHECK(bounds(coach).low.z() == Approx(-bounds(coach).high.z()));
   for (int i = 0; i < 10; ++i) {
     const Stream stream = substream(make_stream(9, "two-wheelers"), i);
-    for (const Mesh& mesh : {bicycle(m, stream), cyclist(m, stream), motorcyclist(m, stream)}) {
+    for (const city::Mesh& mesh : {bicycle(m, stream), cyclist(m, stream), motorcyclist(m, stream)}) {
       check_sane(mesh, -0.05);
       const Box box = bounds(mesh);
       INFO(mesh.name);
@@ -137,7 +137,7 @@ TEST_CASE("the shares of the vehicle classes sum to 1") {
 
 TEST_CASE("trees have the size of their species") {
   for (const TreeSpecies& species : tree_species()) {
-    const Mesh grown = tree(species, 1, 2, make_stream(1, species.name));
+    const city::Mesh grown = tree(species, 1, 2, make_stream(1, species.name));
     check_sane(grown, -1.01);  // normals of leaves are bent
     const Box box = bounds(grown);
     CHECK(box.high.y() > 0.85 * species.height_m);
@@ -149,7 +149,7 @@ TEST_CASE("trees have the size of their species") {
 }
 
 TEST_CASE("the winding of leaf cards agrees with their normals") {
-  const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
+  const city::Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
   const Surface& leaves = grown.surfaces.at(1);
   int agreeing = 0;
   const int count = static_cast<int>(leaves.indices.size() / 3);
@@ -161,7 +161,7 @@ TEST_CASE("the winding of leaf cards agrees with their normals") {
 }
 
 TEST_CASE("leaf cards are folded and have different normals at their corners") {
-  const Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
+  const city::Mesh grown = tree(tree_species()[0], 1, 2, make_stream(1, "lime"));
   const Surface& leaves = grown.surfaces.at(1);
   double spread_deg = 0, fold_deg = 0;
   const std::size_t cards = leaves.positions.size() / 4;
@@ -193,7 +193,7 @@ TEST_CASE("houses have storeys of realistic height and no face inside out") {
     plan.party_start = plan.party_end = i % 5 == 0;
     plan.roof = i % 3 == 0 ? (i % 2 ? RoofKind::gable : RoofKind::mansard) : static_cast<RoofKind>(i % 4);
     plan.rear_wing_m = i % 3 == 1 ? 5 : 0;
-    const Mesh house = building(plan, any_materials(), substream(make_stream(9, "house"), i)).mesh;
+    const city::Mesh house = building(plan, any_materials(), substream(make_stream(9, "house"), i)).mesh;
     check_sane(house, 0.9);
     const Box box = bounds(house);
     CHECK(box.high.y() > plan.storeys * 2.85);
@@ -211,7 +211,7 @@ TEST_CASE("sills and thresholds lie clearly above the wall's face below them") {
   FacadeStyle style;
   style.wall = style.ground_wall = m.plaster[0];
   style.frame = 5;
-  Mesh mesh;
+  city::Mesh mesh;
   Draws draws{make_stream(9, "facade")};
   add_facade(mesh, {{0, 0}, {12, 0}, 0.12, 6.1, {0.12, 3.1}, 6.1}, style, GroundFloor::entrance, true, m,
              draws);
@@ -252,7 +252,7 @@ TEST_CASE("towers, halls and garages have realistic heights and no face inside o
                 : i % 4 == 1                     ? RoofKind::gable
                                                  : RoofKind::sawtooth;
     plan.gable_to_street = is_garage;
-    const Mesh mesh = building(plan, any_materials(), substream(make_stream(9, "building"), i)).mesh;
+    const city::Mesh mesh = building(plan, any_materials(), substream(make_stream(9, "building"), i)).mesh;
     check_sane(mesh, 0.9);
     const Box box = bounds(mesh);
     CHECK(box.low.y() >= static_cast<float>(kerb_height_m) - 0.03f);
@@ -269,13 +269,13 @@ TEST_CASE("towers, halls and garages have realistic heights and no face inside o
 TEST_CASE("people and lorries have realistic sizes and stand on the ground") {
   const Materials m = any_materials();
   for (int i = 0; i < 20; ++i) {
-    const Mesh walker = person(m, substream(make_stream(9, "person"), i));
+    const city::Mesh walker = person(m, substream(make_stream(9, "person"), i));
     check_sane(walker, -0.05);
     CHECK(bounds(walker).low.y() > -0.03f);
     CHECK(bounds(walker).high.y() > 1.5f);
     CHECK(bounds(walker).high.y() < 1.95f);
   }
-  const Mesh vehicle = lorry(m, 17);
+  const city::Mesh vehicle = lorry(m, 17);
   check_sane(vehicle, -0.05);
   CHECK(bounds(vehicle).low.y() == Approx(0).margin(0.01));
   CHECK(bounds(vehicle).high.y() == Approx(lorry_height_m).margin(0.01));
@@ -285,25 +285,25 @@ TEST_CASE("people and lorries have realistic sizes and stand on the ground") {
 
 TEST_CASE("fences and goods have realistic sizes and stand on the ground") {
   const Materials m = any_materials();
-  for (const Mesh& mesh : {picket_fence(m), mesh_fence(m), low_wall(m), high_wall(m)}) {
+  for (const city::Mesh& mesh : {picket_fence(m), mesh_fence(m), low_wall(m), high_wall(m)}) {
     check_sane(mesh, 0.9);
     CHECK(bounds(mesh).high.x() - bounds(mesh).low.x() == Approx(boundary_module_m).margin(0.1));
     CHECK(bounds(mesh).high.y() > 0.9);
     CHECK(bounds(mesh).high.y() < 2.4);
     CHECK(bounds(mesh).low.y() > -0.16f);
   }
-  const Mesh box = container(m, 17);
+  const city::Mesh box = container(m, 17);
   check_sane(box, 0.0);
   CHECK(bounds(box).high.y() == Approx(2.59).margin(0.01));
   CHECK(bounds(box).high.x() - bounds(box).low.x() == Approx(6.06).margin(0.03));
-  for (const Mesh& mesh : {container_stack(m), pallets(m), silo(m)}) check_sane(mesh, -0.05);
+  for (const city::Mesh& mesh : {container_stack(m), pallets(m), silo(m)}) check_sane(mesh, -0.05);
 }
 
 TEST_CASE("masts and bus stops have realistic sizes and stand on the pavement") {
   const Materials m = any_materials();
-  const Mesh shelter = bus_shelter(m), stop = bus_stop_sign(m), wood = telegraph_mast(m),
-             steel = span_mast(m);
-  for (const Mesh* mesh : {&shelter, &stop, &wood, &steel}) {
+  const city::Mesh shelter = bus_shelter(m), stop = bus_stop_sign(m), wood = telegraph_mast(m),
+                   steel = span_mast(m);
+  for (const city::Mesh* mesh : {&shelter, &stop, &wood, &steel}) {
     check_sane(*mesh, -0.05);
     CHECK(bounds(*mesh).low.y() == Approx(-0.05f).margin(0.01));
   }
@@ -317,14 +317,14 @@ TEST_CASE("masts and bus stops have realistic sizes and stand on the pavement") 
 
 TEST_CASE("street furniture has realistic sizes and stands on the pavement") {
   const Materials m = any_materials();
-  const Mesh lamp = street_lamp(m, 8, 1.2), box = switch_box(m), light = traffic_light(m, true);
-  for (const Mesh* mesh : {&lamp, &box, &light}) check_sane(*mesh, -0.05);
+  const city::Mesh lamp = street_lamp(m, 8, 1.2), box = switch_box(m), light = traffic_light(m, true);
+  for (const city::Mesh* mesh : {&lamp, &box, &light}) check_sane(*mesh, -0.05);
   CHECK(bounds(lamp).high.y() == Approx(8).margin(0.2));
   CHECK(bounds(light).high.y() == Approx(3.3).margin(0.1));
   CHECK(bounds(bollard(m)).high.y() == Approx(0.85).margin(0.05));
   CHECK(bounds(bench(m)).high.y() < 0.95f);
   for (const SignKind kind : {SignKind::yield, SignKind::speed, SignKind::parking}) {
-    const Mesh sign = traffic_sign(m, kind);
+    const city::Mesh sign = traffic_sign(m, kind);
     check_sane(sign, -0.05);
     CHECK(bounds(sign).low.y() > -0.06f);
   }

@@ -42,7 +42,7 @@ TEST_CASE("masts stand on pavements and wires hang above all vehicles") {
             const Vec2 facing(std::cos(mast.heading_rad), std::sin(mast.heading_rad));
             CHECK(distance_to_line(centre, mast.position + facing) < distance_to_line(centre, mast.position));
           }
-        const Mesh mesh = overhead_wires(network, s, wire_materials(), options);
+        const city::Mesh mesh = overhead_wires(network, s, wire_materials(), options);
         if (!mesh.surfaces.count(cable)) continue;
         const Surface& surface = mesh.surfaces.at(cable);
         wires += static_cast<int>(surface.positions.size());
@@ -67,7 +67,7 @@ TEST_CASE("tram contact wires hang over the tracks of streets with tram masts") 
       const StreetNetwork network = draw_street_network(options);
       const std::vector<TramTrack> tracks = tram_tracks(network);
       for (int s = 0; s < static_cast<int>(network.streets.size()); ++s) {
-        const Mesh mesh = tram_wires(network, s, wire_materials(), options);
+        const city::Mesh mesh = tram_wires(network, s, wire_materials(), options);
         const bool has_tram = network.streets[s].profile.tram_tracks;
         bare += has_tram && mesh.surfaces.empty();  // too short for masts
         if (mesh.surfaces.empty()) continue;

@@ -6,6 +6,7 @@
 #include "scenes/city/streets/junctions.h"
 #include "scenes/city/streets/roundabout.h"
 #include "scenes/city/streets/street_grid.h"
+#include "tests/scenes/city/all_styles.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -15,9 +16,6 @@ namespace {
 StreetNetwork network_of(CityStyle style, std::uint64_t seed) {
   return draw_street_network({.seed = seed, .style = style, .extent_m = 500});
 }
-
-constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
-                                    CityStyle::industrial, CityStyle::mixed};
 
 }  // namespace
 

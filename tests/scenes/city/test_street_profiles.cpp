@@ -9,6 +9,7 @@
 #include "scenes/city/streets/surface/median.h"
 #include "scenes/city/streets/surface/road_markings.h"
 #include "scenes/city/streets/surface/tram_tracks.h"
+#include "tests/scenes/city/all_styles.h"
 
 using namespace cps;
 using namespace cps::city;
@@ -19,9 +20,6 @@ StreetProfile profile_of(CityStyle style, std::uint64_t seed) {
   Draws draws{make_stream(seed, "profile test")};
   return draw_street_profile(draws, style, false);
 }
-
-constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
-                                    CityStyle::industrial};
 
 }  // namespace
 

@@ -8,14 +8,12 @@
 #include "scenes/city/roadside/traffic.h"
 #include "scenes/city/streets/street_grid.h"
 #include "scenes/city/streets/surface/road_markings.h"
+#include "tests/scenes/city/all_styles.h"
 
 using namespace cps;
 using namespace cps::city;
 
 namespace {
-
-constexpr CityStyle all_styles[] = {CityStyle::european, CityStyle::downtown, CityStyle::suburb,
-                                    CityStyle::industrial, CityStyle::mixed};
 
 const ModelLibrary& library() {
   static GlbWriter writer;

@@ -10,7 +10,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-const Vector3d east(1, 0, 0), eye(0, 1.65, 0);
+const Vector3d looking_east(1, 0, 0), eye(0, 1.65, 0);
 
 /// A room of six slabs, 20 m × 6 m × 20 m inside; its east wall has a hole of `hole_m` × `hole_m` at the
 /// eye's height.
@@ -30,7 +30,7 @@ Scene room(float albedo, float hole_m = 0) {
 }
 
 PlaceFault fault_in(const Scene& scene) {
-  return light_fault(SceneRays(scene), scene_light(scene), eye, east);
+  return light_fault(SceneRays(scene), scene_light(scene), eye, looking_east);
 }
 
 }  // namespace

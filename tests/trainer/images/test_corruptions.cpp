@@ -49,7 +49,7 @@ GrayImage flat(std::uint8_t value) {
   return {{64, 48}, std::vector<std::uint8_t>(64 * 48, value)};
 }
 
-GrayImage street() {
+GrayImage corruption_street() {
   return render_street(draw_calibration({96, 54}, 70, 3), 5);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("ISO noise has mean zero and the documented variance") {
 
 TEST_CASE("JPEG losses are libjpeg's") {
   const TemporaryFolder folder;
-  const GrayImage original = street();
+  const GrayImage original = corruption_street();
   for (int quality : {90, 50, 20}) {
     const std::string file = (folder.path / (std::to_string(quality) + ".jpg")).string();
     auto out = OIIO::ImageOutput::create(file);
@@ -136,7 +136,7 @@ TEST_CASE("JPEG losses are libjpeg's") {
 }
 
 TEST_CASE("cutout hides one rectangle inside the image, no larger than allowed") {
-  const GrayImage original = street();
+  const GrayImage original = corruption_street();
   for (std::uint64_t i = 0; i < 50; ++i) {
     GrayImage image = original;
     cut_out(image, .25, make_stream(i, "cutout"));
@@ -155,7 +155,7 @@ TEST_CASE("cutout hides one rectangle inside the image, no larger than allowed")
 }
 
 TEST_CASE("an augmented image is a function of its stream, and each change comes as often as asked") {
-  const GrayImage original = street();
+  const GrayImage original = corruption_street();
   const GrayView view{original.size, original.pixels.data()};
   CHECK(augmented(view, {}, make_stream(1, "a")).pixels == original.pixels);
   const Augmentation often{.probability = .5};

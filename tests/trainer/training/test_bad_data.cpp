@@ -9,7 +9,7 @@ using namespace cps;
 
 namespace {
 
-Dataset streets(const std::filesystem::path& folder) {
+Dataset small_streets(const std::filesystem::path& folder) {
   return make_street_dataset(
       folder, {.sizes = {{96, 54}}, .fields_of_view = 2, .lenses_per_part = 2, .train_places = 3});
 }
@@ -40,7 +40,7 @@ void check_refused_label(const Dataset& dataset, const std::string& from, const 
 
 TEST_CASE("a corrupt image is named, and refused or left out as asked") {
   const TemporaryFolder folder;
-  const Dataset dataset = streets(folder.path / "data");
+  const Dataset dataset = small_streets(folder.path / "data");
   const std::filesystem::path corrupt = dataset.root / dataset.images[3].file,
                               missing = dataset.root / dataset.images[5].file;
   REQUIRE(dataset.images[5].part == Part::train);
@@ -65,7 +65,7 @@ TEST_CASE("a corrupt image is named, and refused or left out as asked") {
 
 TEST_CASE("labels with invalid numbers, or of another schema, are refused by name") {
   const TemporaryFolder folder;
-  const Dataset dataset = streets(folder.path / "data");
+  const Dataset dataset = small_streets(folder.path / "data");
   check_refused_label(dataset, "\"schema\":", "\"schema\": 3");
   check_refused_label(dataset, "\"k1\":", "\"k1\": null");
   check_refused_label(dataset, "\"k1\":", "\"k1\": NaN");
@@ -77,7 +77,7 @@ TEST_CASE("labels with invalid numbers, or of another schema, are refused by nam
 TEST_CASE("an empty dataset is refused in one line") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(read_dataset(folder.path), Catch::StartsWith(folder.path.string() + ": "));
-  const Dataset dataset = streets(folder.path / "data");
+  const Dataset dataset = small_streets(folder.path / "data");
   write_file(dataset.root / "splits/train.txt", std::string_view());
   CHECK_THROWS_WITH(train(read_dataset(dataset.root), folder.path / "model", one_epoch(), false, {}),
                     Catch::StartsWith((dataset.root / "splits/train.txt").string()));

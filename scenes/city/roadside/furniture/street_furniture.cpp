@@ -8,7 +8,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void add_pole(Mesh& mesh, const Materials& m, double height, double radius) {
   add_tube(mesh.surfaces[m.pole], {0, -0.05, 0}, {0, height, 0}, radius, radius, 10, true);

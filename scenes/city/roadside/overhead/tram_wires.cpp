@@ -8,7 +8,7 @@ namespace {
 
 constexpr double at_mast_m = 7.1;  ///< above the pavement
 constexpr double span_sag_m = 0.9, span_radius_m = 0.009, contact_radius_m = 0.009, dropper_radius_m = 0.006;
-constexpr double contact_sag_m = 0.05, usual_spacing_m = 27, max_span_m = 75;
+constexpr double contact_sag_m = 0.05, usual_spacing_m = 27, max_tram_span_m = 75;
 
 /// The points from which one track's contact wire hangs.
 using Holders = std::vector<Vec3>;
@@ -48,7 +48,7 @@ Mesh tram_wires(const StreetNetwork& network, int street, const Materials& m, co
   for (const Holders& held : holders)
     for (std::size_t i = 0; i + 1 < held.size(); ++i) {
       const double span_m = (held[i + 1] - held[i]).norm();
-      if (span_m > max_span_m) continue;
+      if (span_m > max_tram_span_m) continue;
       add_wire(mesh.surfaces[m.cable], held[i], held[i + 1],
                contact_sag_m * span_m * span_m / (usual_spacing_m * usual_spacing_m), contact_radius_m);
     }

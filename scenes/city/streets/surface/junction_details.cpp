@@ -14,7 +14,7 @@
 namespace cps::city {
 namespace {
 
-constexpr double line_width_m = 0.12;
+constexpr double junction_line_width_m = 0.12;
 
 void add_dashes(Surface& paint, const Polyline& line, double dash_m, double gap_m, double width_m) {
   const double total = length(line);
@@ -43,7 +43,7 @@ void add_turn_guides(Surface& paint, const StreetNetwork& network, int junction,
     if (!best || length(lane.points) < length(best->points)) best = &lane;
   }
   for (const auto& [ways, lane] : tightest)
-    add_dashes(paint, offset(lane->points, -lane->width_m / 2), 1, 1, line_width_m);
+    add_dashes(paint, offset(lane->points, -lane->width_m / 2), 1, 1, junction_line_width_m);
 }
 
 /// Continues the edge lines and cycle tracks of the street that runs through, across the mouths of the
@@ -77,7 +77,7 @@ void add_through_lines(Surface& paint, const StreetNetwork& network, const Junct
                      edge_m = p.half_width() - (left ? p.edge_left_m() : p.edge_right_m());
         const double side = left ? 1 : -1;
         add_dashes(paint, offset(through, side * (edge_m - (cycle_m > 0 ? 0 : 0.2))), 0.5, 0.5,
-                   cycle_m > 0 ? 0.25 : line_width_m);
+                   cycle_m > 0 ? 0.25 : junction_line_width_m);
         if (cycle_m > 0) add_dashes(paint, offset(through, side * (edge_m + cycle_m - 0.2)), 0.5, 0.5, 0.25);
       }
     }
@@ -93,7 +93,7 @@ void add_ring_line(Surface& paint, const Junction& junction) {
     const double a = 2 * std::numbers::pi * i / pieces;
     circle.push_back(junction.position + radius_m * Vec2(std::cos(a), std::sin(a)));
   }
-  add_dashes(paint, circle, 1, 2, line_width_m);
+  add_dashes(paint, circle, 1, 2, junction_line_width_m);
 }
 
 }  // namespace
