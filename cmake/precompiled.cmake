@@ -10,7 +10,7 @@ set(CPS_PACKAGE_HEADERS
 # cps_headers(NAME LINK target … HEADERS <h> …): an empty library whose precompiled headers other targets reuse.
 function(cps_headers name)
   cmake_parse_arguments(HEADERS "" "" "LINK;HEADERS" ${ARGN})
-  file(WRITE ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp "")
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp CONTENT "")  # unlike WRITE, leaves an equal file alone
   add_library(cps_${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
   target_link_libraries(cps_${name} PRIVATE ${HEADERS_LINK})
   target_precompile_headers(cps_${name} PRIVATE ${CPS_STANDARD_HEADERS} ${HEADERS_HEADERS})

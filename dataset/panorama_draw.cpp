@@ -10,8 +10,8 @@
 
 #include "dataset/labels/group_label.h"
 #include "dataset/labels/model_label.h"
-#include "distortion/models/seen_hfov.h"
-#include "distortion/models/source_resolution.h"
+#include "distortion/models/warp/seen_hfov.h"
+#include "distortion/models/warp/source_resolution.h"
 #include "distortion/warp/master_camera.h"
 #include "numbers/angles.h"
 #include "sampler/lenses/lens_draw.h"

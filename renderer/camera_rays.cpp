@@ -6,7 +6,7 @@
 
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/inverse/inverse.h"
-#include "distortion/models/unproject.h"
+#include "distortion/models/inverse/unproject.h"
 
 namespace cps {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "distortion/models/model_certificate.h"
+#include "distortion/models/certificate/model_certificate.h"
 #include "renderer/camera.h"
 #include "renderer/math/color.h"
 #include "renderer/math/pixel_filter.h"

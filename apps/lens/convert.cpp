@@ -1,4 +1,4 @@
-#include "distortion/models/convert.h"
+#include "distortion/models/conversion/convert.h"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "apps/lens/report.h"
-#include "distortion/models/model_certificate.h"
-#include "distortion/models/model_survey.h"
-#include "distortion/models/model_view.h"
+#include "distortion/models/certificate/model_certificate.h"
+#include "distortion/models/inverse/model_survey.h"
 #include "distortion/models/projection.h"
+#include "distortion/models/warp/model_view.h"
 #include "numbers/angles.h"
 
 namespace cps {

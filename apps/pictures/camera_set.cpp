@@ -8,8 +8,8 @@
 #include "apps/progress.h"
 #include "dataset/exchange/camera_pictures.h"
 #include "dataset/exchange/model_calibration.h"
-#include "distortion/models/model_view.h"
-#include "distortion/models/warp_models.h"
+#include "distortion/models/warp/model_view.h"
+#include "distortion/models/warp/warp_models.h"
 #include "files/files.h"
 #include "numbers/angles.h"
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "apps/threads.h"
-#include "distortion/models/seen_hfov.h"
-#include "distortion/models/warp_models.h"
+#include "distortion/models/warp/seen_hfov.h"
+#include "distortion/models/warp/warp_models.h"
 #include "files/files.h"
 #include "files/png.h"
 #include "numbers/angles.h"

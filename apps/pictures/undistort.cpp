@@ -7,8 +7,8 @@
 #include "apps/threads.h"
 #include "apps/verbs.h"
 #include "distortion/certificate/frame_certificate.h"
-#include "distortion/models/model_view.h"
-#include "distortion/models/warp_models.h"
+#include "distortion/models/warp/model_view.h"
+#include "distortion/models/warp/warp_models.h"
 #include "numbers/angles.h"
 
 namespace po = boost::program_options;

@@ -7,7 +7,7 @@
 
 #include "distortion/certificate/frame_certificate.h"
 #include "distortion/crop/crop.h"
-#include "distortion/models/seen_hfov.h"
+#include "distortion/models/warp/seen_hfov.h"
 #include "distortion/warp/master_camera.h"
 #include "distortion/warp/warp.h"
 #include "numbers/angles.h"

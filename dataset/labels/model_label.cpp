@@ -6,9 +6,9 @@
 
 #include "dataset/exchange/camera_json.h"
 #include "dataset/labels/group_label.h"
-#include "distortion/models/model_view.h"
+#include "distortion/models/inverse/unproject.h"
 #include "distortion/models/projection.h"
-#include "distortion/models/unproject.h"
+#include "distortion/models/warp/model_view.h"
 #include "distortion/warp/warp_options.h"
 #include "numbers/angles.h"
 #include "scenes/rig.h"

@@ -10,8 +10,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "distortion/models/ray_tile.h"
 #include "distortion/models/straight_angle.h"
+#include "distortion/models/warp/ray_tile.h"
 #include "distortion/panorama/spherical_gather.h"
 #include "distortion/warp/tiles.h"
 #include "distortion/warp/warp_checks.h"

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "dataset/exchange/model_calibration.h"
-#include "distortion/models/convert.h"
+#include "distortion/models/conversion/convert.h"
 #include "tests/apps/cps_program.h"
 #include "tests/temporary_folder.h"
 

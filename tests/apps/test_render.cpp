@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "dataset/exchange/model_calibration.h"
-#include "distortion/models/seen_hfov.h"
+#include "distortion/models/warp/seen_hfov.h"
 #include "numbers/angles.h"
 #include "tests/apps/cps_program.h"
 #include "tests/apps/street_gltf.h"

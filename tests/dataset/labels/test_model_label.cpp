@@ -4,7 +4,7 @@
 #include "dataset/exchange/model_calibration.h"
 #include "dataset/labels/label.h"
 #include "dataset/labels/model_label.h"
-#include "distortion/models/seen_hfov.h"
+#include "distortion/models/warp/seen_hfov.h"
 #include "files/files.h"
 #include "numbers/angles.h"
 #include "scenes/rig.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "distortion/models/inverse/unproject.h"
 #include "distortion/models/projection.h"
-#include "distortion/models/unproject.h"
 #include "distortion/warp/warp_options.h"
 
 namespace cps {
