@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "dataset/pixels/thumbnail.h"
 #include "dataset/sheet_rows.h"
@@ -25,16 +26,30 @@ int tile_height_px(const Label& label, int tile_width_px) {
   return std::max(1, tile_width_px * label.camera.height / label.camera.width);
 }
 
-void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const Captions& captions, const DatasetImage& image,
-                  const Label& label) {
+std::array<std::string, 2> lens_lines(const Label& label) {
   const Distortion& lens = label.distortion;
-  const std::string lines[] = {
-      fmt::format("{}  {}", image.file.parent_path().string(), to_string(image.part)),
-      fmt::format("fov {:.2f}°  k1 {:+.3g}  k2 {:+.3g}  k3 {:+.3g}", degrees(hfov_rad(label.camera)), lens.k1,
-                  lens.k2, lens.k3),
-      fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2,
-                  label.camera.cx, label.camera.cy, label.zoom)};
-  for (const std::string& line : lines) {
+  return {fmt::format("fov {:.2f}°  k1 {:+.3g}  k2 {:+.3g}  k3 {:+.3g}", degrees(hfov_rad(label.camera)),
+                      lens.k1, lens.k2, lens.k3),
+          fmt::format("p1 {:+.2g}  p2 {:+.2g}  cx {:.1f}  cy {:.1f}  zoom {:.3f}", lens.p1, lens.p2,
+                      label.camera.cx, label.camera.cy, label.zoom)};
+}
+
+/// Of another family: the angle that the image shows, and the first four parameters.
+std::array<std::string, 2> lens_lines(const ModelLabel& label) {
+  std::string numbers;
+  const auto all = parameters(label.camera.lens);
+  for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 4); ++i)
+    numbers += fmt::format("{}{} {:+.3g}", i > 0 ? "  " : "", all[i].first, all[i].second);
+  return {fmt::format("{}  shows {:.2f}°", family_name(label.camera.lens),
+                      degrees(label.seen.horizontal_rad.value_or(0))),
+          numbers};
+}
+
+void draw_caption(OIIO::ImageBuf& sheet, int x, int y, const Captions& captions, const DatasetImage& image,
+                  const DatasetGroup& group) {
+  const auto [first, second] = group.model ? lens_lines(*group.model) : lens_lines(group.label);
+  const std::string title = fmt::format("{}  {}", image.file.parent_path().string(), to_string(image.part));
+  for (const std::string& line : {title, first, second}) {
     y += captions.line_px;
     OIIO::ImageBufAlgo::render_text(sheet, x, y, line, captions.text_px, "DejaVuSans", {0.92f, 0.92f, 0.92f});
   }
@@ -71,7 +86,7 @@ OIIO::ImageBuf contact_sheet(const Dataset& dataset, const ContactSheetOptions& 
     for (const DatasetImage* image : row) {
       OIIO::ImageBufAlgo::paste(sheet, x, y, 0, 0,
                                 thumbnail(dataset.root / image->file, {options.tile_width_px, tile_height}));
-      draw_caption(sheet, x, y + tile_height, captions, *image, label_of(*image));
+      draw_caption(sheet, x, y + tile_height, captions, *image, dataset.groups[image->group]);
       x += options.tile_width_px + gap_px;
     }
     y += tile_height + captions.height_px + gap_px;

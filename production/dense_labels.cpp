@@ -72,6 +72,25 @@ struct SeenImage {
   }
 };
 
+/// `rays`, `up` or `latitude`.
+OIIO::ImageBuf bearing_of(DenseLabel label, const SeenImage& seen) {
+  return bearing_label(ModelCamera{{}, seen.camera.pinhole, *seen.camera.lens},
+                       gravity_in_camera(seen.camera.world_from_camera.linear()), label);
+}
+
+/// Classes, with 0 where the lens shows nothing, not even the sky.
+OIIO::ImageBuf classes_of_pixels(const SeenImage& seen, const InstanceLabels& meaning) {
+  OIIO::ImageBuf classes =
+      looked_up(seen.layer(DenseLabel::semantic), meaning.semantic, meaning.semantic_background);
+  if (std::holds_alternative<Distortion>(*seen.camera.lens)) return classes;
+  const OIIO::ImageBuf rays = bearing_of(DenseLabel::rays, seen);
+  const auto* ray = static_cast<const float*>(rays.localpixels());
+  auto* value = static_cast<std::uint16_t*>(classes.localpixels());
+  for (std::size_t i = 0; i < classes.spec().image_pixels(); ++i)
+    if (ray[3 * i] == 0 && ray[3 * i + 1] == 0 && ray[3 * i + 2] == 0) value[i] = 0;
+  return classes;
+}
+
 OIIO::ImageBuf pixels_of(DenseLabel label, const SeenImage& seen, const InstanceLabels& meaning) {
   switch (label) {
     case DenseLabel::depth:
@@ -85,18 +104,17 @@ OIIO::ImageBuf pixels_of(DenseLabel label, const SeenImage& seen, const Instance
     case DenseLabel::instance:
       return looked_up(seen.layer(label), meaning.object, 0);
     case DenseLabel::semantic:
-      return looked_up(seen.layer(label), meaning.semantic, meaning.semantic_background);
+      return classes_of_pixels(seen, meaning);
     default:
-      return bearing_label(
-          {.name = {}, .pinhole = seen.camera.pinhole, .distortion = std::get<Distortion>(*seen.camera.lens)},
-          gravity_in_camera(seen.camera.world_from_camera.linear()), label);
+      return bearing_of(label, seen);
   }
 }
 
 std::vector<DenseRecord> label_image(const Recipe& recipe, const PlannedImage& image, const PlannedView& view,
                                      const LitScene& lit, const std::filesystem::path& root) {
-  SeenImage seen{.camera = camera_of(view, image.lens.camera), .aovs = layers_for(recipe.labels)};
-  seen.camera.lens = image.lens.distortion;
+  const ModelCamera camera = image.camera();
+  SeenImage seen{.camera = camera_of(view, camera.pinhole), .aovs = layers_for(recipe.labels)};
+  seen.camera.lens = camera.lens;
   if (!seen.aovs.empty()) seen.layers = render_aovs(*lit.scene, seen.camera, {}, seen.aovs);
   std::vector<DenseRecord> records;
   for (const DenseLabel label : recipe.labels) {

@@ -17,7 +17,7 @@ InstanceLabels instance_labels(const Scene& scene, const std::vector<DenseLabel>
 
 /// Computes the recipe's dense labels of a view's images, one ray a pixel through each image's lens, and
 /// writes them below `root`: an entry per image, in their order. The car must be where the view has it, as
-/// after render_halves(). Several images are made at a time, each on one thread, whose CPU time is added to
+/// after render_view(). Several images are made at a time, each on one thread, whose CPU time is added to
 /// `cpu_ns`. Throws std::runtime_error in one line when a file cannot be written.
 std::vector<std::vector<DenseRecord>> make_dense_labels(const Recipe& recipe, const PlannedView& view,
                                                         const ViewImages& wanted, const LitScene& lit,

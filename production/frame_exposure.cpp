@@ -15,23 +15,41 @@ std::string warning(const std::vector<std::string>& views, const char* fault) {
       views.size(), views.size() == 1 ? "view is" : "views are", fault, std::ranges::min(views));
 }
 
+/// Numbers of pixels.
+struct ExposedPixels {
+  std::int64_t count = 0, above_dim = 0, white = 0;
+
+  /// Adds the valid pixels of an image.
+  void add(const MeteredImage& image, double exposure) {
+    constexpr double dim = 0.01;
+    const auto* rgb = static_cast<const float*>(image.linear->localpixels());
+    const auto* valid = image.valid ? static_cast<const std::uint8_t*>(image.valid->localpixels()) : nullptr;
+    const auto pixels = static_cast<std::int64_t>(image.linear->spec().image_pixels());
+    for (std::int64_t i = 0; i < pixels; ++i) {
+      if (valid && valid[i] == 0) continue;
+      const double exposed = exposure * luminance(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+      ++count;
+      above_dim += exposed > dim;
+      white += exposed >= 1;
+    }
+  }
+};
+
 }  // namespace
 
 FrameExposure frame_exposure(const Master& master) {
-  constexpr double dim = 0.01, min_share_above_dim = 0.05, max_share_of_white = 0.5;
-  const OIIO::ImageBuf& picture = master.light.picture;
-  const auto* rgb = static_cast<const float*>(picture.localpixels());
-  const auto pixels = static_cast<std::int64_t>(picture.spec().image_pixels());
-  std::int64_t above_dim = 0, white = 0;
-  for (std::int64_t i = 0; i < pixels; ++i) {
-    const double exposed = master.exposure * luminance(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
-    above_dim += exposed > dim;
-    white += exposed >= 1;
-  }
-  const auto count = static_cast<double>(pixels);
-  if (static_cast<double>(above_dim) < min_share_above_dim * count) return FrameExposure::near_black;
-  return static_cast<double>(white) > max_share_of_white * count ? FrameExposure::blown_out
-                                                                 : FrameExposure::good;
+  const MeteredImage image{&master.light.picture};
+  return frame_exposure(std::span(&image, 1), master.exposure);
+}
+
+FrameExposure frame_exposure(std::span<const MeteredImage> images, double exposure) {
+  constexpr double min_share_above_dim = 0.05, max_share_of_white = 0.5;
+  ExposedPixels pixels;
+  for (const MeteredImage& image : images) pixels.add(image, exposure);
+  const auto count = static_cast<double>(pixels.count);
+  if (static_cast<double>(pixels.above_dim) < min_share_above_dim * count) return FrameExposure::near_black;
+  return static_cast<double>(pixels.white) > max_share_of_white * count ? FrameExposure::blown_out
+                                                                        : FrameExposure::good;
 }
 
 void BadlyExposed::add(FrameExposure exposure, const std::string& view) {

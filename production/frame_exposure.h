@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ enum class FrameExposure {
 
 /// Judges a master of three channels by its own exposure, without a sensor's deviation from it.
 FrameExposure frame_exposure(const Master& master);
+
+/// Judges images that share an exposure, all their valid pixels together.
+FrameExposure frame_exposure(std::span<const MeteredImage> images, double exposure);
 
 /// Views that came out badly exposed, by name.
 struct BadlyExposed {

@@ -25,7 +25,7 @@ std::string name_of(const Plan& plan, const PlannedView& view) {
 /// A view that is rendered, and then its images are made.
 struct ViewInFlight {
   ViewImages wanted;
-  RenderedHalves halves = {};
+  RenderedView rendered = {};
   std::vector<std::vector<DenseRecord>> dense = {};  ///< by image
   MadeImages made = {};
 };
@@ -53,8 +53,8 @@ class ViewLine {
     };
     const auto images = [this](Token view) {
       attempt([&] {
-        view->made = make_images(view->wanted, view->halves, root_, image_times_);
-        view->halves = {};
+        view->made = make_images(view->wanted, view->rendered, root_, image_times_);
+        view->rendered = {};
         for (std::size_t i = 0; i < view->dense.size(); ++i)
           view->made.record.images[i].dense = std::move(view->dense[i]);
       });
@@ -107,10 +107,10 @@ class ViewLine {
     was_given_up_ = true;  // until it is rendered
     LitScene& scene = loaded_.of(plan_, view);
     if (scenes_in_memory(threads_) > 1) prefetch_after(view);
-    in_flight->halves = render_halves(plan_.recipe, view, view.master, scene, [this](int, int) {
+    in_flight->rendered = render_view(plan_.recipe, view, in_flight->wanted, scene, [this](int, int) {
       if (must_stop()) throw Interrupted();
     });
-    summary_.cpu.render_s += in_flight->halves.cpu_s;
+    summary_.cpu.render_s += in_flight->rendered.cpu_s;
     // Now, while the scene and the car in it are this view's.
     in_flight->dense = make_dense_labels(plan_.recipe, view, in_flight->wanted, scene, root_, labels_ns_);
     was_given_up_ = false;

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dataset/exchange/camera_json.h"
 #include "dataset/job/frames.h"
-#include "dataset/labels/label.h"
+#include "dataset/labels/valid_mask.h"
 #include "dataset/pixels/image_file.h"
 #include "files/files.h"
 #include "numbers/srgb.h"
@@ -47,19 +48,21 @@ OIIO::ImageBuf brightness(const OIIO::ImageBuf& image, bool is_linear) {
   return values.spec().nchannels == 1 ? values : luminance(values);
 }
 
-/// Renders what the files say: `label` the camera and its lens, `frame` where car and camera stand. `view`
-/// gives the seed alone.
-OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const Label& label,
+/// Renders what the files say: `labelled` is the camera with its lens, `frame` where car and camera stand.
+/// `view` gives the seed alone. Black where a lens of another family than Brown–Conrady shows nothing.
+OIIO::ImageBuf render_again(const Plan& plan, const PlannedView& view, const ModelCamera& labelled,
                             const FrameRow& frame, RenderScene& scene, const RerenderOptions& options) {
   put_car(scene, world_from_vehicle(frame.vehicle));
   const Camera camera{
-      .world_from_camera = world_from_camera(frame), .pinhole = label.camera, .lens = label.distortion};
+      .world_from_camera = world_from_camera(frame), .pinhole = labelled.pinhole, .lens = labelled.lens};
   OIIO::ImageBuf image = render(scene, camera,
                                 {.samples = options.samples,
                                  .max_shaded_vertices = plan.recipe.max_shaded_vertices,
                                  .seed = make_stream(view.seed, "again").key,
                                  .filter = PixelFilter::gaussian});
   image = expose(image, frame.exposure, frame.sensor);
+  if (!plan.recipe.is_brown_conrady())
+    if (const std::optional<OIIO::ImageBuf> mask = valid_mask(labelled)) black_out(image, *mask);
   return plan.recipe.image_format == ImageFormat::png_gray ? luminance(image) : image;
 }
 
@@ -91,12 +94,14 @@ std::vector<RerenderedImage> rerender(const std::filesystem::path& root, const P
   for (const ChosenImage& image : chosen) {
     const PlannedView& view = plan.views[image.view];
     const std::string file = plan.groups[image.group].folder + "/" + image_name(plan, view);
-    const std::filesystem::path calibration = root / plan.groups[image.group].folder / "calibration.json";
-    const Label label = label_from_json(read_json(calibration), calibration.string());
+    const std::string calibration = (root / plan.groups[image.group].folder / "calibration.json").string();
+    const nlohmann::json json = read_json(calibration);
+    const ModelCamera labelled = model_camera_from_json({json, calibration});
     const bool is_linear = plan.recipe.image_format == ImageFormat::exr;
     const OIIO::ImageBuf stored = brightness(read_pixels(root / file), is_linear);
     const OIIO::ImageBuf again = brightness(
-        render_again(plan, view, label, frame_of(root, file), *loaded.of(plan, view).scene, options), true);
+        render_again(plan, view, labelled, frame_of(root, file), *loaded.of(plan, view).scene, options),
+        true);
     RerenderedImage result{.file = file, .registration = register_pictures(again, stored), .fault = {}};
     result.fault = fault_of(result.registration, options);
     images.push_back(result);

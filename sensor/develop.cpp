@@ -30,19 +30,32 @@ std::uint8_t srgb_code(const std::array<float, 255>& thresholds, float linear) {
   return static_cast<std::uint8_t>(above - thresholds.begin());
 }
 
+/// Adds the luminances of the middle half, in width and height.
+void add_middle(const MeteredImage& image, std::vector<float>& luminances) {
+  const int width = image.linear->spec().width, height = image.linear->spec().height;
+  const auto* pixels = static_cast<const float*>(image.linear->localpixels());
+  const auto* valid = image.valid ? static_cast<const std::uint8_t*>(image.valid->localpixels()) : nullptr;
+  luminances.reserve(luminances.size() + static_cast<std::size_t>(width / 2 + 1) * (height / 2 + 1));
+  for (int y = height / 4; y < height - height / 4; ++y)
+    for (int x = width / 4; x < width - width / 4; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y) * width + x;
+      if (valid && valid[at] == 0) continue;
+      const float* rgb = pixels + 3 * at;
+      luminances.push_back(luminance(rgb[0], rgb[1], rgb[2]));
+    }
+}
+
 }  // namespace
 
 double meter_exposure(const OIIO::ImageBuf& linear_master) {
-  const int width = linear_master.spec().width, height = linear_master.spec().height;
-  const auto* pixels = static_cast<const float*>(linear_master.localpixels());
+  const MeteredImage image{&linear_master};
+  return meter_exposure(std::span(&image, 1));
+}
+
+double meter_exposure(std::span<const MeteredImage> images) {
   std::vector<float> luminances;
-  luminances.reserve(static_cast<std::size_t>(width / 2 + 1) * (height / 2 + 1));
-  for (int y = height / 4; y < height - height / 4; ++y)
-    for (int x = width / 4; x < width - width / 4; ++x) {
-      const float* rgb = pixels + 3 * (static_cast<std::size_t>(y) * width + x);
-      luminances.push_back(luminance(rgb[0], rgb[1], rgb[2]));
-    }
-  return metered_exposure(luminances).value_or(1);
+  for (const MeteredImage& image : images) add_middle(image, luminances);
+  return luminances.empty() ? 1 : metered_exposure(luminances).value_or(1);
 }
 
 OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear) {

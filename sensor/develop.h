@@ -2,6 +2,8 @@
 
 #include <OpenImageIO/imagebuf.h>
 
+#include <span>
+
 #include "sensor/sensor.h"
 
 /// What the sensor does after the lens: exposure, noise, response curve, 8 bit. It comes after the warp, so
@@ -13,6 +15,15 @@ namespace cps {
 /// median, so that the sun does not set the exposure. A black image gives 1. `linear_master` has three float
 /// channels.
 double meter_exposure(const OIIO::ImageBuf& linear_master);
+
+/// A linear image of three float channels, and which of its pixels count.
+struct MeteredImage {
+  const OIIO::ImageBuf* linear;
+  const OIIO::ImageBuf* valid = nullptr;  ///< a mask: those that are not 0; null: all
+};
+
+/// The same factor for images that share an exposure: metered on the middle halves of all together.
+double meter_exposure(std::span<const MeteredImage> images);
 
 /// Rec. 709 luminance of three linear float channels: what a sensor without colours sees.
 OIIO::ImageBuf luminance(const OIIO::ImageBuf& linear);

@@ -43,7 +43,7 @@ int cps_contact_sheet(const Arguments& arguments) {
   if (!parse_options(arguments, contact_sheet_manual, options, positional, values)) return 0;
   po::notify(values);
   if (const std::string fault = sheet.fault(); !fault.empty()) throw po::error(fault);
-  const Dataset dataset = read_dataset(values["dataset"].as<std::string>());
+  const Dataset dataset = read_dataset(values["dataset"].as<std::string>(), LensFamilies::any);
   const std::string output = values["out"].as<std::string>();
   write_file(output, encode_png(contact_sheet(dataset, sheet)));
   std::cout << output << ": " << dataset.images.size() << " images, " << dataset.groups.size() << " groups\n";

@@ -136,6 +136,8 @@ already rendered; a second one kills it.
                   "makes the dataset of the shipped recipe demo, with a city of its own"},
                  {"cps generate --recipe demo --scene city.glb --views 10 --out data",
                   "makes ten views per size and H-FOV of a scene of yours"},
+                 {"cps generate --recipe fisheye --out fisheyes",
+                  "makes fisheye images, which are no CPS dataset: labels of another lens family"},
                  {"cps generate --recipe cps-v2 --out /share/data --shard 3/8 --threads 16",
                   "makes the fourth of eight shares with 16 threads"}},
     .see_also = {"cps plan", "cps finish", "cps verify", "cps contact-sheet", "cps-slurm"},

@@ -11,6 +11,7 @@
 #include "apps/pictures/picture_format.h"
 #include "apps/progress.h"
 #include "dataset/labels/group_label.h"
+#include "dataset/labels/model_label.h"
 #include "distortion/panorama/panorama_warp.h"
 #include "files/files.h"
 #include "files/png.h"
@@ -135,12 +136,11 @@ nlohmann::ordered_json origin_json(const std::vector<PlannedPanorama>& panoramas
           {"panoramas", files}};
 }
 
-nlohmann::ordered_json other_family_json(const PanoramaSetOptions& options, std::size_t images) {
-  return {{"model", options.family},
-          {"is_cps", false},
-          {"note", "Labels have model and params in place of k1 ... p2, so this is not a CPS dataset."},
-          {"images", images},
-          {"generator", generator_name()}};
+nlohmann::ordered_json description_json(const PanoramaSetOptions& options, std::size_t images) {
+  nlohmann::ordered_json json = other_family_json(options.family);
+  json["images"] = images;
+  json["generator"] = generator_name();
+  return json;
 }
 
 }  // namespace
@@ -152,8 +152,7 @@ void make_panorama_set(const fs::path& folder, const fs::path& root, const Panor
   for (const PlannedPanorama& panorama : panoramas) make_views(panorama, root, options, progress);
   write_json(root / "panoramas.json", origin_json(panoramas, options));
   const auto [train, val, test] = write_lists(panoramas, root);
-  if (options.family != "brown_conrady")
-    write_json(root / "dataset.json", other_family_json(options, images));
+  if (options.family != "brown_conrady") write_json(root / "dataset.json", description_json(options, images));
   progress.finish();
   fmt::print("{}: {} panoramas, {} images: {} train, {} val, {} test\n", root.string(), panoramas.size(),
              images, train, val, test);

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imagebuf.h>
 
 #include "distortion/calibrated_camera.h"
+#include "distortion/models/model_camera.h"
 #include "sampler/recipe/dense_label.h"
 
 namespace cps {
@@ -14,5 +15,9 @@ namespace cps {
 /// one-to-one on the frame, or for another label.
 OIIO::ImageBuf bearing_label(const CalibratedCamera& camera, const Eigen::Vector3d& gravity,
                              DenseLabel label);
+
+/// The same of a camera of any lens family. Where a lens of another family than Brown–Conrady shows nothing,
+/// all channels are 0. Throws std::runtime_error with one line when such a lens is proved nowhere.
+OIIO::ImageBuf bearing_label(const ModelCamera& camera, const Eigen::Vector3d& gravity, DenseLabel label);
 
 }  // namespace cps

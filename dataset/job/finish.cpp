@@ -80,22 +80,10 @@ Json places_json(const PlaceTally& places) {
   return {{"drawn", places.drawn}, {"rejected", places.rejected()}, {"rejected_for", rejected_for}};
 }
 
-/// Whether the file is there, in the form that is written today.
-bool has_label(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return false;
-  const nlohmann::json json = read_json(file);
-  return schema_of({json, file.string()}) == label_schema;
-}
-
 }  // namespace
 
 bool is_finished(const std::filesystem::path& root) {
   return std::filesystem::exists(root / "dataset.json");
-}
-
-void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group) {
-  const std::filesystem::path file = root / group.folder / "calibration.json";
-  if (!has_label(file)) write_json(file, to_json(group_label(plan, group)));
 }
 
 void finish_dataset(const std::filesystem::path& root, const Plan& plan,
@@ -137,20 +125,21 @@ void finish_dataset(const std::filesystem::path& root, const Plan& plan,
     splits[to_string(part)] = {
         {"images", counts[p]}, {"list", list}, {"pixels_sha256", sha256(pixel_lines[p])}};
   }
-  write_json(root / "dataset.json", {{"schema", label_schema},
-                                     {"name", plan.recipe.name},
-                                     {"generator", generator_name()},
-                                     {"seed", plan.recipe.seed},
-                                     {"recipe", recipe_json(plan.recipe)},
-                                     {"rig", rig_json(plan.rig)},
-                                     {"scenes", scenes_json(plan, scene_sha256)},
-                                     {"conditions", conditions_json(plan)},
-                                     {"sets", plan.sets.size()},
-                                     {"groups", plan.groups.size()},
-                                     {"views", plan.views.size()},
-                                     {"images", image_count(plan)},
-                                     {"places", places_json(plan.places)},
-                                     {"splits", splits}});
+  Json description = {{"schema", label_schema}, {"name", plan.recipe.name}};
+  if (!plan.recipe.is_brown_conrady()) description.update(other_family_json(plan.recipe.lens_model));
+  description.update(Json{{"generator", generator_name()},
+                          {"seed", plan.recipe.seed},
+                          {"recipe", recipe_json(plan.recipe)},
+                          {"rig", rig_json(plan.rig)},
+                          {"scenes", scenes_json(plan, scene_sha256)},
+                          {"conditions", conditions_json(plan)},
+                          {"sets", plan.sets.size()},
+                          {"groups", plan.groups.size()},
+                          {"views", plan.views.size()},
+                          {"images", image_count(plan)},
+                          {"places", places_json(plan.places)},
+                          {"splits", splits}});
+  write_json(root / "dataset.json", description);
 }
 
 }  // namespace cps

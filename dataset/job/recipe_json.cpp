@@ -11,7 +11,7 @@ namespace cps {
 
 nlohmann::ordered_json recipe_json(const Recipe& recipe) {
   nlohmann::ordered_json json;
-  for_each_recipe_key(
+  for_each_written_key(
       recipe, [&](const char* key, const auto& value, const char*) { json[key] = value_text(value); });
   return json;
 }

@@ -8,6 +8,17 @@
 #include "numbers/angles.h"
 
 namespace cps {
+namespace {
+
+/// What does not follow from the lens.
+template <typename AnyLabel>
+void set_origin(AnyLabel& label, const Plan& plan, const PlannedGroup& group) {
+  label.vehicle_from_camera = vehicle_from_camera(plan.rig.cameras[group.camera]);
+  label.part = group.part;
+  label.seed = plan.recipe.seed;
+}
+
+}  // namespace
 
 std::string generator_name() {
   return "cps " CPS_VERSION;
@@ -39,12 +50,19 @@ Label lens_label(const DrawnLens& lens, const LensBounds& bounds) {
 }
 
 Label group_label(const Plan& plan, const PlannedGroup& group) try {
-  const RigCamera& camera = plan.rig.cameras[group.camera];
   Label label = lens_label(group.lens, plan.recipe.lens_options.bounds);
-  label.rig_camera = camera.name;
-  label.vehicle_from_camera = vehicle_from_camera(camera);
-  label.part = group.part;
-  label.seed = plan.recipe.seed;
+  label.rig_camera = plan.rig.cameras[group.camera].name;
+  set_origin(label, plan, group);
+  return label;
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(group.folder + ": " + error.what());
+}
+
+ModelLabel group_model_label(const Plan& plan, const PlannedGroup& group, bool is_masked) try {
+  ModelCamera camera = group.model.value();
+  camera.name = plan.rig.cameras[group.camera].name;
+  ModelLabel label = is_masked ? masked_model_label(camera) : model_label(camera);
+  set_origin(label, plan, group);
   return label;
 } catch (const std::runtime_error& error) {
   throw std::runtime_error(group.folder + ": " + error.what());

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "dataset/labels/label.h"
+#include "dataset/labels/model_label.h"
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/plan/plan.h"
 
@@ -19,5 +20,9 @@ Label lens_label(const DrawnLens& lens, const LensBounds& bounds);
 
 /// The label of a planned group. Throws as lens_label() does, the group's folder first.
 Label group_label(const Plan& plan, const PlannedGroup& group);
+
+/// The label of a planned group with a lens of another family. `is_masked`: whether valid_mask() gives its
+/// images a mask. Throws as model_label() and masked_model_label() do, the group's folder first.
+ModelLabel group_model_label(const Plan& plan, const PlannedGroup& group, bool is_masked);
 
 }  // namespace cps

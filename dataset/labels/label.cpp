@@ -26,20 +26,14 @@ void check_camera(const Pinhole& camera, const JsonKeys& reader) {
     reader.fail("cy", "contradicts K[1][2]");
 }
 
-void check_gravity(const Label& label, const JsonKeys& reader) {
-  const std::vector<double> written = reader.numbers("gravity", 3);
-  if (!((Eigen::Vector3d::Map(written.data()) - nominal_gravity(label)).norm() <= agreement))
-    reader.fail("gravity", "contradicts T_vehicle_camera, whose third row begins with its opposite");
-}
-
 }  // namespace
 
 Pinhole base_of(const Label& label) {
   return pinhole_from_hfov(label.camera.width, label.camera.height, radians(label.fov_base_deg));
 }
 
-Eigen::Vector3d nominal_gravity(const Label& label) {
-  return gravity_in_camera((world_from_vehicle(Place{}) * label.vehicle_from_camera).linear());
+Eigen::Vector3d nominal_gravity(const Eigen::Isometry3d& vehicle_from_camera) {
+  return gravity_in_camera((world_from_vehicle(Place{}) * vehicle_from_camera).linear());
 }
 
 int schema_of(const JsonKeys& keys) {
@@ -47,6 +41,20 @@ int schema_of(const JsonKeys& keys) {
   if (schema != 1 && schema != 2)
     keys.fail("schema", "is neither 1 nor 2; use the version of cps that wrote it");
   return static_cast<int>(schema);
+}
+
+void check_gravity(const JsonKeys& keys, const Eigen::Isometry3d& vehicle_from_camera) {
+  const std::vector<double> written = keys.numbers("gravity", 3);
+  if (!((Eigen::Vector3d::Map(written.data()) - nominal_gravity(vehicle_from_camera)).norm() <= agreement))
+    keys.fail("gravity", "contradicts T_vehicle_camera, whose third row begins with its opposite");
+}
+
+Part part_of_label(const JsonKeys& keys) {
+  try {
+    return part_from_string(keys.text("part"));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(keys.file + ": " + error.what());
+  }
 }
 
 nlohmann::ordered_json to_json(const Label& label, int schema) {
@@ -80,7 +88,9 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys reader{json, file};
   const int schema = schema_of(reader);
   if (json.contains("params"))
-    reader.fail("model", "is " + reader.text("model") + ": only datasets of brown_conrady lenses are read");
+    reader.fail("model", "is " + reader.text("model") +
+                             ": only datasets of brown_conrady lenses are read here; cps verify and cps "
+                             "contact-sheet take this one");
   Label label;
   const CalibratedCamera calibrated = camera_from_json(reader);
   check_camera(calibrated.pinhole, reader);
@@ -104,12 +114,8 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const JsonKeys camera = reader.object("camera");
   label.rig_camera = camera.text("name");
   label.vehicle_from_camera.matrix() = camera.matrix("T_vehicle_camera", 4, 4);
-  if (schema >= 2) check_gravity(label, reader);
-  try {
-    label.part = part_from_string(reader.text("part"));
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file + ": " + error.what());
-  }
+  if (schema >= 2) check_gravity(reader, label.vehicle_from_camera);
+  label.part = part_of_label(reader);
   label.seed = reader.unsigned_integer("seed");
   label.generator = reader.text("generator");
   return label;

@@ -39,7 +39,10 @@ struct Label {
 Pinhole base_of(const Label& label);
 
 /// Unit vector of gravity (downwards) in the camera frame, for the rig camera's nominal pose on level ground.
-Eigen::Vector3d nominal_gravity(const Label& label);
+Eigen::Vector3d nominal_gravity(const Eigen::Isometry3d& vehicle_from_camera);
+inline Eigen::Vector3d nominal_gravity(const Label& label) {
+  return nominal_gravity(label.vehicle_from_camera);
+}
 
 /// The form that calibration.json, frames.csv and dataset.json are written in; `schema` in both JSON files.
 /// Schema 1 is the same without gravity.
@@ -47,6 +50,11 @@ inline constexpr int label_schema = 2;
 
 /// The file's schema. Throws as JsonKeys does for a number that is neither 1 nor 2.
 int schema_of(const JsonKeys& keys);
+
+/// Keys of labels of all families. Throw as label_from_json() does: `gravity` must follow from
+/// T_vehicle_camera.
+void check_gravity(const JsonKeys& keys, const Eigen::Isometry3d& vehicle_from_camera);
+Part part_of_label(const JsonKeys& keys);
 
 /// The keys of these seven numbers, both in the label and in its `limits`.
 inline constexpr std::array<const char*, 7> lens_keys = {"k1", "k2", "k3", "p1", "p2", "cx", "cy"};
@@ -56,7 +64,7 @@ nlohmann::ordered_json to_json(const Label& label, int schema = label_schema);
 
 /// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of
 /// the wrong type, or contradicts another (K against fov, cx, cy; gravity against T_vehicle_camera). Reads
-/// all schemas.
+/// all schemas. Refuses a label of another lens family by the family's name.
 Label label_from_json(const nlohmann::json& json, const std::string& file);
 
 }  // namespace cps

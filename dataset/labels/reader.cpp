@@ -22,9 +22,17 @@ std::vector<fs::path> subfolders(const fs::path& folder) {
   return found;
 }
 
+DatasetGroup read_group(const fs::path& folder, const fs::path& calibration, LensFamilies families) {
+  const nlohmann::json json = read_json(calibration);
+  if (families == LensFamilies::brown_conrady || !json.contains("params"))
+    return {folder, label_from_json(json, calibration.string())};
+  const ModelLabel model = model_label_from_json(json, calibration.string());
+  return {folder, common_label(model), model};
+}
+
 }  // namespace
 
-Dataset read_dataset(const fs::path& root) {
+Dataset read_dataset(const fs::path& root, LensFamilies families) {
   if (!fs::is_directory(root)) throw std::runtime_error(root.string() + ": is not a folder; name a dataset");
   Dataset dataset{.root = root, .groups = {}, .images = {}};
   std::map<std::string, int> group_of_folder;
@@ -34,7 +42,7 @@ Dataset read_dataset(const fs::path& root) {
       if (!fs::exists(calibration)) continue;
       const fs::path folder = leaf.lexically_relative(root);
       group_of_folder[folder.string()] = static_cast<int>(dataset.groups.size());
-      dataset.groups.push_back({folder, label_from_json(read_json(calibration), calibration.string())});
+      dataset.groups.push_back(read_group(folder, calibration, families));
     }
   if (dataset.groups.empty())
     throw std::runtime_error(root.string() + ": holds no <set>/<camera>_lens<number>/calibration.json");

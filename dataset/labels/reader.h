@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dataset/labels/label.h"
+#include "dataset/labels/model_label.h"
 
 namespace cps {
 
@@ -12,6 +14,13 @@ namespace cps {
 struct DatasetGroup {
   std::filesystem::path folder;  ///< relative to the dataset: 480x270_hfov090/front_lens0003
   Label label;
+  /// Of a lens of another family; then `label` is common_label() of it. Only with LensFamilies::any.
+  std::optional<ModelLabel> model = {};
+
+  /// The camera and its lens.
+  ModelCamera camera() const {
+    return model ? model->camera : ModelCamera{label.rig_camera, label.camera, label.distortion};
+  }
 };
 
 struct DatasetImage {
@@ -26,8 +35,12 @@ struct Dataset {
   std::vector<DatasetImage> images;  ///< in the order of the split lists: train, val, test
 };
 
+/// Which lenses a reader of datasets knows what to do with.
+enum class LensFamilies { brown_conrady, any };
+
 /// Reads the labels (every calibration.json) and the split lists of a finished dataset; no pixels. Throws
-/// std::runtime_error with one line: folder or file, what is wrong, what to do.
-Dataset read_dataset(const std::filesystem::path& root);
+/// std::runtime_error with one line: folder or file, what is wrong, what to do. A label of a family that is
+/// not asked for is refused by the family's name.
+Dataset read_dataset(const std::filesystem::path& root, LensFamilies families = LensFamilies::brown_conrady);
 
 }  // namespace cps

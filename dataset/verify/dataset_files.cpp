@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "dataset/dense/dense_file.h"
 #include "dataset/job/finish.h"
 #include "dataset/job/job.h"
+#include "dataset/labels/valid_mask.h"
 #include "files/files.h"
 
 namespace cps {
@@ -13,8 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_image(const fs::path& file) {
+bool is_image(const fs::path& file, const DatasetGroup& group) {
+  if (group.model && file.filename() == valid_mask_file) return false;
   return file.extension() != ".csv" && file.extension() != ".json";
+}
+
+/// Whether dataset.json is that of cps generate. That of cps relens has no recipe.
+bool is_record(const nlohmann::json& description) {
+  return description.contains("recipe") || description.value("is_cps", true);
 }
 
 bool has_frames(const Dataset& dataset) {
@@ -55,26 +63,29 @@ std::string streets_of(const nlohmann::json& scenes, const nlohmann::json& condi
   return file;
 }
 
-DatasetFiles open_dataset(const fs::path& root) {
+DatasetFiles open_dataset(const fs::path& root, LensFamilies families) {
   if (!is_finished(root) && has_job(root))
     throw std::runtime_error(
         root.string() + ": has no dataset.json: it is not finished; run cps generate again, or cps finish");
-  DatasetFiles files{.dataset = read_dataset(root)};
-  if (is_finished(root))
-    files.description = read_json(root / "dataset.json");
-  else if (has_frames(files.dataset))
+  DatasetFiles files{.dataset = read_dataset(root, families)};
+  if (is_finished(root)) {
+    nlohmann::json description = read_json(root / "dataset.json");
+    if (is_record(description)) files.description = std::move(description);
+  }
+  if (!files.description && has_frames(files.dataset))
     throw std::runtime_error((root / "dataset.json").string() +
                              ": is missing: copy it from where the dataset comes from");
   return files;
 }
 
-DatasetFiles read_dataset_files(const fs::path& root, Faults& faults) {
-  DatasetFiles files = open_dataset(root);
+DatasetFiles read_dataset_files(const fs::path& root, Faults& faults, LensFamilies families) {
+  DatasetFiles files = open_dataset(root, families);
   for (std::size_t g = 0; g < files.dataset.groups.size(); ++g) {
     if (files.description) read_frames(files, g, faults);
-    const fs::path& folder = files.dataset.groups[g].folder;
+    const DatasetGroup& group = files.dataset.groups[g];
+    const fs::path& folder = group.folder;
     for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
-      if (is_image(entry.path()))
+      if (is_image(entry.path(), group))
         (is_dense_file(entry.path()) ? files.dense : files.images)
             .insert((folder / entry.path().filename()).string());
   }

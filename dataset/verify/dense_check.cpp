@@ -30,8 +30,7 @@ struct LabelledImage {
     return files.dataset.root / dense_file(image.file, kind);
   }
   OIIO::ImageBuf bearing(DenseLabel kind) const {
-    return bearing_label({.name = {}, .pinhole = label().camera, .distortion = label().distortion},
-                         frame.gravity, kind);
+    return bearing_label(files.dataset.groups[image.group].camera(), frame.gravity, kind);
   }
 };
 

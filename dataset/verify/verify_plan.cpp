@@ -8,6 +8,7 @@
 
 #include "dataset/job/frames.h"
 #include "dataset/labels/group_label.h"
+#include "dataset/labels/valid_mask.h"
 #include "files/files.h"
 
 namespace cps {
@@ -46,11 +47,15 @@ std::vector<std::string> frames_faults(const CsvTable& planned, const CsvTable& 
   return faults;
 }
 
-/// Whether the file holds the label, in the form of any schema.
-bool is_label(const std::filesystem::path& file, const Label& label) {
+/// Whether the file holds the group's label, in the form of any schema.
+bool is_label(const std::filesystem::path& file, const Plan& plan, const PlannedGroup& group) {
   const std::string text = read_file(file);
+  const auto is_text = [&](const nlohmann::ordered_json& json) { return text == json.dump(2) + "\n"; };
+  if (group.model)
+    return is_text(to_json(group_model_label(plan, group, valid_mask(*group.model).has_value())));
+  const Label label = group_label(plan, group);
   for (int schema = 1; schema <= label_schema; ++schema)
-    if (text == to_json(label, schema).dump(2) + "\n") return true;
+    if (is_text(to_json(label, schema))) return true;
   return false;
 }
 
@@ -59,8 +64,7 @@ std::vector<std::string> group_faults(const std::filesystem::path& root, const P
   const PlannedGroup& group = plan.groups[g];
   std::vector<std::string> faults;
   const std::string label = (std::filesystem::path(group.folder) / "calibration.json").string();
-  if (!is_label(root / label, group_label(plan, group)))
-    faults.push_back(label + ": is not what the recipe gives");
+  if (!is_label(root / label, plan, group)) faults.push_back(label + ": is not what the recipe gives");
   const ViewRecord record;
   std::vector<ImageRecord> images;
   images.reserve(views.size());

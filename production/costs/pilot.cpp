@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 namespace cps {
 namespace {
 
-/// Master pixels of a reduced render: about a second, enough for a stable timing.
-constexpr double small_pixels = 150'000;
+/// Pixels of a reduced render: about a second, enough for a stable timing. Traced images have four times as
+/// many paths in a pixel as a master has.
+constexpr double small_pixels = 150'000, small_traced_pixels = small_pixels / 4;
 
 double process_cpu_s() {
   return cpu_s(CLOCK_PROCESS_CPUTIME_ID);
@@ -80,12 +81,23 @@ Pinhole smaller(const Pinhole& camera, int times) {
   return small;
 }
 
-double pixels(const Pinhole& camera) {
-  return static_cast<double>(camera.width) * camera.height;
+/// What is rendered of a view, so many times smaller on each axis.
+ViewImages smaller(ViewImages wanted, int times) {
+  if (!wanted.are_traced()) wanted.master = smaller(wanted.master, times);
+  for (PlannedImage& image : wanted.images)
+    if (image.model)
+      image.model = resized(*image.model, std::max(1, image.model->pinhole.width / times),
+                            std::max(1, image.model->pinhole.height / times));
+  return wanted;
 }
 
-std::int64_t bytes_of(const RenderedHalves& halves) {
-  return static_cast<std::int64_t>(halves.first.spec().image_bytes() + halves.second.spec().image_bytes());
+std::int64_t bytes_of(const RenderedView& rendered) {
+  std::int64_t bytes = 0;
+  for (const OIIO::ImageBuf& image : rendered.traced)
+    bytes += static_cast<std::int64_t>(image.spec().image_bytes());
+  if (!rendered.traced.empty()) return bytes;
+  return static_cast<std::int64_t>(rendered.first.spec().image_bytes() +
+                                   rendered.second.spec().image_bytes());
 }
 
 /// Measurements of full-size views of one image size.
@@ -145,10 +157,13 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     double before = process_cpu_s();
     LitScene& scene = loaded.of(plan, view);
     pilot.start.condition_cpu_s += (process_cpu_s() - before) / static_cast<double>(plan.conditions.size());
-    const int times = std::max(1, static_cast<int>(std::sqrt(pixels(view.master) / small_pixels)));
-    const Pinhole small = smaller(view.master, times);
-    const RenderedHalves reduced = render_halves(plan.recipe, view, small, scene);
-    const double view_s = (reduced.cpu_s - reduced.cells_cpu_s) * pixels(view.master) / pixels(small);
+    const ViewImages wanted = images_of(plan, v);
+    const double enough_pixels = wanted.are_traced() ? small_traced_pixels : small_pixels;
+    const int times = std::max(1, static_cast<int>(std::sqrt(rendered_pixels(wanted) / enough_pixels)));
+    const ViewImages small = smaller(wanted, times);
+    const RenderedView reduced = render_view(plan.recipe, view, small, scene);
+    const double view_s =
+        (reduced.cpu_s - reduced.cells_cpu_s) * rendered_pixels(wanted) / rendered_pixels(small);
     sum[view.condition][view.set] += view_s;
     ++count[view.condition][view.set];
     ++pilot.views;
@@ -156,7 +171,7 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     // At full size: of each image size one view of its middle H-FOV in each of the first conditions.
     FullSize& of_size = full[plan.sets[view.set].size];
     if (view.set % hfovs != hfovs / 2 || view.rig_camera != 0 || of_size.views == of_size.wanted) continue;
-    const RenderedHalves whole = times == 1 ? reduced : render_halves(plan.recipe, view, view.master, scene);
+    const RenderedView whole = times == 1 ? reduced : render_view(plan.recipe, view, wanted, scene);
     pilot.view_bytes = std::max(pilot.view_bytes, bytes_of(whole));
     full_s += whole.cpu_s - whole.cells_cpu_s;
     // The reduced render has computed some of the view's cells already.
@@ -165,7 +180,6 @@ Pilot run_pilot(const Recipe& recipe, const Rig& rig, const DriveOptions& drive,
     before = process_cpu_s();
     ImageTimes unused;
     std::atomic<std::int64_t> unused_labels_ns = 0;
-    const ViewImages wanted = images_of(plan, v);
     const ViewRecord made = make_images(wanted, whole, scratch.path, unused).record;
     const auto dense = make_dense_labels(plan.recipe, view, wanted, scene, scratch.path, unused_labels_ns);
     of_size.cpu_s += process_cpu_s() - before;

@@ -15,7 +15,7 @@ class SetGroups {
   /// The groups and the master camera of views that share their lenses.
   struct Block {
     std::vector<int> groups;  ///< indices into plan.groups, the undistorted one first, if there is one
-    Pinhole master;
+    Pinhole master;           ///< empty where lenses are of another family than Brown–Conrady
   };
 
   SetGroups(Plan& plan, int set, int camera);
@@ -25,7 +25,11 @@ class SetGroups {
 
  private:
   Block draw_block(Part part);
-  int add(int lens_number, Part part, const DrawnLens& lens);
+  Block draw_family_block(Part part);
+  /// The number and the stream of a further lens with distortion.
+  std::pair<int, Stream> next_lens();
+  PlannedGroup& add(int lens_number, Part part);
+  int last_group() const { return static_cast<int>(plan_.groups.size()) - 1; }
 
   Plan& plan_;
   int set_, camera_;

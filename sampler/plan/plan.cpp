@@ -25,16 +25,26 @@ std::vector<PlannedCondition> plan_conditions(const Recipe& recipe, const std::v
   return conditions;
 }
 
+PlannedSet plan_set(const Recipe& recipe, std::size_t size, double hfov_deg) {
+  const auto [width, height] = recipe.sizes[size];
+  const long whole_deg = std::lround(hfov_deg);
+  PlannedSet set{.folder = fmt::format("{}x{}_hfov{:03}", width, height, whole_deg),
+                 .size = static_cast<int>(size),
+                 .hfov_deg = hfov_deg,
+                 .camera = {.width = width, .height = height}};
+  if (recipe.is_brown_conrady())
+    set.camera = pinhole_from_hfov(width, height, radians(hfov_deg));
+  else
+    set.folder = fmt::format("{}x{}_{}_hfov{:03}", width, height, recipe.lens_model, whole_deg);
+  return set;
+}
+
 std::vector<PlannedSet> plan_sets(const Recipe& recipe) {
   std::vector<PlannedSet> sets;
   for (std::size_t s = 0; s < recipe.sizes.size(); ++s)
     for (double hfov_deg :
          recipe.crop_order() == CropOrder::base_first ? recipe.base_hfov_deg : recipe.hfov_deg) {
-      const ImageSize& size = recipe.sizes[s];
-      sets.push_back(
-          {.folder = fmt::format("{}x{}_hfov{:03}", size.width, size.height, std::lround(hfov_deg)),
-           .size = static_cast<int>(s),
-           .camera = pinhole_from_hfov(size.width, size.height, radians(hfov_deg))});
+      sets.push_back(plan_set(recipe, s, hfov_deg));
       for (std::size_t other = 0; other + 1 < sets.size(); ++other)
         if (sets[other].folder == sets.back().folder)
           throw std::runtime_error("recipe: size, base_hfov_deg, hfov_deg: two sets would share the folder " +
@@ -82,6 +92,14 @@ std::int64_t image_count(const Plan& plan) {
   std::int64_t count = 0;
   for (const PlannedView& view : plan.views) count += static_cast<std::int64_t>(view.groups.size());
   return count;
+}
+
+double rendered_pixels(const Plan& plan, const PlannedView& view) {
+  const auto pixels = [](const Pinhole& camera) { return static_cast<double>(camera.width) * camera.height; };
+  if (view.master.width > 0) return pixels(view.master);
+  double sum = 0;
+  for (int g : view.groups) sum += pixels(plan.groups[g].model->pinhole);
+  return sum;
 }
 
 std::vector<std::int64_t> all_views(const Plan& plan) {

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "distortion/models/model_camera.h"
 #include "sampler/lenses/lens_draw.h"
 #include "sampler/part.h"
 #include "sampler/places/place_draw.h"
@@ -26,9 +28,12 @@ struct PlannedCondition {
 
 /// One size at one H-FOV.
 struct PlannedSet {
-  std::string folder;  ///< 1392x512_hfov090
-  int size = 0;        ///< index into the recipe's sizes
-  Pinhole camera;  ///< output-sized and centred: base of all lenses of the set or, label-first, final camera
+  std::string folder;   ///< 1392x512_hfov090; of another lens family 1392x512_kannala_brandt_hfov090
+  int size = 0;         ///< index into the recipe's sizes
+  double hfov_deg = 0;  ///< as in the recipe
+  /// Output-sized and centred: base of all lenses of the set or, label-first, final camera. Of another lens
+  /// family, whose angles no pinhole camera may have, the size alone.
+  Pinhole camera;
 };
 
 /// Images that share size, rig camera, H-FOV and lens: one leaf folder.
@@ -39,6 +44,8 @@ struct PlannedGroup {
   int lens_number = 0;  ///< unique in the dataset, except 0, the undistorted lens, in every set and camera
   Part part = Part::all;
   DrawnLens lens;
+  /// Camera with a lens of another family than Brown–Conrady, nameless; then there is nothing in `lens`.
+  std::optional<ModelCamera> model = {};
 };
 
 /// One render, and the groups that show it through their lenses. Views with the same set and index show the
@@ -53,7 +60,7 @@ struct PlannedView {
   Place place;         ///< set when the view is placed
   RigCamera camera;    ///< with this view's mount errors, which are drawn with its place
   std::uint64_t seed = 0;
-  Pinhole master;           ///< camera of the render for all its groups
+  Pinhole master;           ///< camera of the render for all its groups; empty where each image is traced
   std::vector<int> groups;  ///< indices into Plan::groups; the undistorted group comes first
 };
 
@@ -71,6 +78,9 @@ struct Plan {
 
 /// Number of images in the plan.
 std::int64_t image_count(const Plan& plan);
+
+/// The pixels that rendering a view takes: its master's or, where there is none, those of all its images.
+double rendered_pixels(const Plan& plan, const PlannedView& view);
 
 /// `000017.png`, with the extension of the recipe's image format.
 std::string image_name(const Plan& plan, const PlannedView& view);

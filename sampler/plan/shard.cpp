@@ -6,13 +6,6 @@
 #include "sampler/recipe/recipe_values.h"
 
 namespace cps {
-namespace {
-
-double master_pixels(const PlannedView& view) {
-  return static_cast<double>(view.master.width) * view.master.height;
-}
-
-}  // namespace
 
 std::string to_string(const Shard& shard) {
   return std::to_string(shard.index) + "/" + std::to_string(shard.count);
@@ -38,7 +31,7 @@ Shard shard_from_string(const std::string& text) {
 
 ViewRange views_of(const Plan& plan, const Shard& shard) {
   double total = 0;
-  for (const PlannedView& view : plan.views) total += master_pixels(view);
+  for (const PlannedView& view : plan.views) total += rendered_pixels(plan, view);
   const auto views = static_cast<std::int64_t>(plan.views.size());
   // Pixel counts are whole numbers below 2⁵³, so that their sums are exact and all processes agree on cut i
   // of n.
@@ -46,7 +39,7 @@ ViewRange views_of(const Plan& plan, const Shard& shard) {
     const double wanted = total * static_cast<double>(i) / static_cast<double>(shard.count);
     double before = 0;
     for (std::int64_t v = 0; v < views; ++v) {
-      const double pixels = master_pixels(plan.views[v]);
+      const double pixels = rendered_pixels(plan, plan.views[v]);
       if (before + pixels / 2 >= wanted) return v;
       before += pixels;
     }

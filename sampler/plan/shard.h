@@ -28,9 +28,9 @@ struct ViewRange {
 };
 
 /// The views of a shard: contiguous in the plan's order, which is by condition, so that n shards together
-/// load at most n − 1 more scenes than one does. All shards have the same number of master pixels to render,
-/// as nearly as whole views allow. Every view is in exactly one of the n shards; with more shards than views,
-/// some are empty.
+/// load at most n − 1 more scenes than one does. All shards have the same number of pixels to render
+/// (rendered_pixels()), as nearly as whole views allow. Every view is in exactly one of the n shards; with
+/// more shards than views, some are empty.
 ViewRange views_of(const Plan& plan, const Shard& shard);
 
 }  // namespace cps

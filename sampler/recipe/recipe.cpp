@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "sampler/recipe/lens_family.h"
+
 namespace cps {
 namespace {
 
@@ -40,7 +42,7 @@ std::string Recipe::fault() const {
   };
   bool hfovs_in_range = true;
   for (const auto& hfovs : {base_hfov_deg, hfov_deg})
-    for (double hfov : hfovs) hfovs_in_range &= is_between(hfov, 5, 165);
+    for (double hfov : hfovs) hfovs_in_range &= is_between(hfov, 5, is_brown_conrady() ? 165 : 195);
   const auto all_between = [](const PerSize& numbers, int low, int high) {
     return std::all_of(numbers.values.begin(), numbers.values.end(),
                        [&](int number) { return is_between(number, low, high); });
@@ -70,7 +72,9 @@ std::string Recipe::fault() const {
       {!base_hfov_deg.empty() || !hfov_deg.empty(), "base_hfov_deg, hfov_deg: name at least one"},
       {base_hfov_deg.empty() || hfov_deg.empty(),
        "base_hfov_deg, hfov_deg: one follows from the other; name only one of them"},
-      {hfovs_in_range, "base_hfov_deg, hfov_deg: must lie in [5, 165]"},
+      {hfovs_in_range, is_brown_conrady()
+                           ? "base_hfov_deg, hfov_deg: must lie in [5, 165]"
+                           : "hfov_deg: must lie in [5, 195] with a lens_model other than brown_conrady"},
       {fits_sizes(views), "views: name one number, or as many as there are sizes"},
       {all_between(views, 3, 1'000'000),
        "views: must lie in [3, 1000000], one for each of train, val and test"},
@@ -99,7 +103,8 @@ std::string Recipe::fault() const {
   };
   for (const Check& check : checks)
     if (!check.holds) return check.reason;
-  for (const std::string& fault : {light.fault(), lens_options.fault(), sensor.fault()})
+  for (const std::string& fault :
+       {lens_family_fault(*this), light.fault(), lens_options.fault(), sensor.fault()})
     if (!fault.empty()) return fault;
   if (crop_order() == CropOrder::label_first && lens_options.coefficients.has_k1_range())
     return "k1_min, k1_max: need base_hfov_deg, as k1 is only known with the base";

@@ -39,8 +39,8 @@ struct Recipe {
   // Sets: every size at every H-FOV. Either base_hfov_deg or hfov_deg is given.
   std::vector<ImageSize> sizes;
   std::vector<double> base_hfov_deg;
-  std::vector<double> hfov_deg;
-  PerSize views = 0;  ///< places per set, each seen by every camera of the rig
+  std::vector<double> hfov_deg;  ///< of other families: what the images show along their middle row
+  PerSize views = 0;             ///< places per set, each seen by every camera of the rig
 
   // The car.
   std::string rig;                 ///< rig file; empty: one camera, front
@@ -55,10 +55,11 @@ struct Recipe {
   double clearance_m = 2.5, side_clearance_m = 0.8;
 
   // Lenses. Train, val and test have different ones.
-  PerSize lenses = 0;       ///< distorted images per view
-  bool undistorted = true;  ///< one more image per view, without distortion
-  int views_per_lens = 0;   ///< number of views of a part that share lenses; 0: all
-  LensOptions lens_options;
+  PerSize lenses = 0;                        ///< distorted images per view
+  bool undistorted = true;                   ///< one more image per view, without distortion
+  int views_per_lens = 0;                    ///< number of views of a part that share lenses; 0: all
+  std::string lens_model = "brown_conrady";  ///< family of the lenses: this or one of prior_families()
+  LensOptions lens_options;                  ///< how brown_conrady lenses are drawn
 
   // Parts: `route` gives each street to train, val or test; `thesis` splits by view, so that they share
   // streets.
@@ -67,6 +68,7 @@ struct Recipe {
 
   // Rendering and the sensor.
   /// Paths per master pixel, even; an output pixel is as noisy as the mean of four times as many.
+  /// Through lenses of other families, which have no master, an image pixel has four times as many paths.
   int samples = 16;
   int max_shaded_vertices = 5;
   LightMethod light_method = LightMethod::traced;
@@ -78,6 +80,7 @@ struct Recipe {
   bool keep_masters = false;       ///< write every view's master, so that training can draw lenses of its own
   std::vector<DenseLabel> labels;  ///< written for every image; in the enum's order, each once
 
+  bool is_brown_conrady() const { return lens_model == "brown_conrady"; }
   CropOrder crop_order() const { return hfov_deg.empty() ? CropOrder::base_first : CropOrder::label_first; }
 
   /// Empty if the recipe is usable; otherwise one line that names the key and its range.
@@ -92,11 +95,12 @@ boost::program_options::options_description recipe_options();
 /// Throws std::runtime_error: file, key, fix.
 void store_recipe_file(const std::filesystem::path& file, boost::program_options::variables_map& values);
 
-/// The recipe with these keys, scaled by `scale`. Checks it, and that a lens exists for each of its sets.
+/// The recipe with these keys, scaled by `scale`; without the key `undistorted`, that is false for other lens
+/// families than brown_conrady. Checks the recipe, and that a lens exists for each of its sets.
 /// Throws std::runtime_error: key, value, fix.
 Recipe recipe_from(const boost::program_options::variables_map& values);
 
-/// The recipe as a file that reads back to the same recipe: every key, one a line.
+/// The recipe as a file that reads back to the same recipe: every key of for_each_written_key(), one a line.
 std::string to_text(const Recipe& recipe);
 
 }  // namespace cps

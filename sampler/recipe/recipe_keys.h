@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "sampler/recipe/lens_keys.h"
 #include "sampler/recipe/light_keys.h"
 #include "sampler/recipe/recipe.h"
@@ -35,9 +37,11 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("base_hfov_deg", r.base_hfov_deg,
         "horizontal fields of view before the crop, degrees, separated by commas; 5 to 165. The images' "
         "follow from lens and crop");
-  visit("hfov_deg", r.hfov_deg,
-        "horizontal fields of view of the images, after the crop, degrees, separated by commas; 5 to 165. "
-        "Each lens gets the base that leads there. Name either this or base_hfov_deg");
+  visit(
+      "hfov_deg", r.hfov_deg,
+      "horizontal fields of view of the images, after the crop, degrees, separated by commas; 5 to 165. "
+      "Each lens gets the base that leads there. Name either this or base_hfov_deg. With another lens_model: "
+      "the angles that the images show along their middle row, 5 to 195");
   visit("views", r.views,
         "places per size and H-FOV, each seen by every camera of the rig; one number, or one per size; 3 to "
         "1000000");
@@ -66,9 +70,15 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("lenses", r.lenses,
         "distorted images per view, each through a lens of its own; one number, or one "
         "per size; 0 to 10000");
-  visit("undistorted", r.undistorted, "true: one more image per view, without distortion");
+  visit("undistorted", r.undistorted,
+        "true: one more image per view, without distortion; false with another lens_model");
   visit("views_per_lens", r.views_per_lens,
         "number of views that share their lenses, counted within train, val and test; 0: all of them");
+  visit(
+      "lens_model", r.lens_model,
+      "family of the lenses: brown_conrady, unified_spherical, kannala_brandt, eucm or double_sphere. Those "
+      "of the others are drawn from a prior of their own; each image is traced through its lens, and the "
+      "result is not a CPS dataset");
   for_each_lens_key(r.lens_options, visit);
 
   visit("train_share", r.train_share, "share of the views in the train split, 0.01 to 0.98");
@@ -109,6 +119,16 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
   visit("labels", r.labels,
         "dense labels to write beside every image, each through its lens: depth, distance, normal, instance, "
         "semantic, rays, up, latitude; any of them");
+}
+
+/// The keys that describe a recipe in files, with their values: all but lens_model where that is
+/// brown_conrady, so that the files of such recipes stay what they were before there was this key.
+template <typename Visitor>
+void for_each_written_key(const Recipe& recipe, Visitor&& visit) {
+  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char* help) {
+    if (recipe.is_brown_conrady() && std::string_view(key) == "lens_model") return;
+    visit(key, value, help);
+  });
 }
 
 }  // namespace cps

@@ -70,6 +70,7 @@ Recipe recipe_from(const po::variables_map& values) {
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(std::string("recipe: ") + error.what());
   }
+  if (!recipe.is_brown_conrady() && values.count("undistorted") == 0) recipe.undistorted = false;
   std::ranges::sort(recipe.labels);
   if (const std::string fault = recipe.fault(); !fault.empty()) throw std::runtime_error("recipe: " + fault);
   require_lenses(recipe);
@@ -79,7 +80,7 @@ Recipe recipe_from(const po::variables_map& values) {
 
 std::string to_text(const Recipe& recipe) {
   std::string text;
-  for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char*) {
+  for_each_written_key(recipe, [&](const char* key, const auto& value, const char*) {
     text += std::string(key) + " = " + value_text(value) + "\n";
   });
   return text;

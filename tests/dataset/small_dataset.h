@@ -37,8 +37,7 @@ inline Plan small_plan(const std::vector<DenseLabel>& labels = {}) {
 }
 
 /// Pixels of a dense label as if the camera stood in a sphere of 10 m that is one object of class 7.
-inline OIIO::ImageBuf sphere_label(const Label& label, const FrameRow& frame, DenseLabel kind) {
-  const CalibratedCamera camera{.name = {}, .pinhole = label.camera, .distortion = label.distortion};
+inline OIIO::ImageBuf sphere_label(const ModelCamera& camera, const FrameRow& frame, DenseLabel kind) {
   if (kind > DenseLabel::semantic) return bearing_label(camera, frame.gravity, kind);
   OIIO::ImageBuf pixels(dense_spec(kind, {camera.pinhole.width, camera.pinhole.height}));
   if (kind >= DenseLabel::instance) {
@@ -55,6 +54,13 @@ inline OIIO::ImageBuf sphere_label(const Label& label, const FrameRow& frame, De
     for (std::size_t c = 0; kind == DenseLabel::normal && c < 3; ++c) value[3 * i + c] = -ray[3 * i + c];
   }
   return pixels;
+}
+
+/// The camera of a group's images.
+inline ModelCamera camera_of_group(const Plan& plan, const PlannedGroup& group) {
+  if (group.model) return *group.model;
+  const Label label = group_label(plan, group);
+  return {{}, label.camera, label.distortion};
 }
 
 /// A whole dataset whose pictures are noise: everything but the rendering.
@@ -81,7 +87,7 @@ inline void write_small_dataset(const std::filesystem::path& root, const Plan& p
       const FrameRow frame = frame_row({&view, &record, &record.images.back()});
       for (const DenseLabel kind : plan.recipe.labels) {
         const std::string bytes =
-            encode_dense(sphere_label(group_label(plan, plan.groups[g]), frame, kind), kind);
+            encode_dense(sphere_label(camera_of_group(plan, plan.groups[g]), frame, kind), kind);
         write_file(root / dense_file(file, kind), bytes);
         record.images.back().dense.push_back({.label = kind, .bytes = bytes.size(), .sha256 = sha256(bytes)});
       }

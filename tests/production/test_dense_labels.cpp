@@ -6,27 +6,14 @@
 #include "files/files.h"
 #include "production/dense_labels.h"
 #include "renderer/paths/build_render_scene.h"
+#include "tests/production/floor_and_sphere.h"
 #include "tests/production/tiny_dataset.h"
-#include "tests/renderer/handmade.h"
 
 using namespace cps;
 
 namespace {
 
-/// A floor 1.65 m below the camera of a rig that stands at the origin, and a sphere in front of it.
-Scene floor_and_sphere() {
-  using namespace handmade;
-  Scene scene;
-  scene.objects = {"floor", "sphere"};
-  scene.materials = {material({0.8f, 0.1f, 0.1f, 1}), material({0.1f, 0.2f, 0.9f, 1})};
-  scene.meshes = {quad({-400, 0, 400}, {800, 0, 0}, {0, 0, -800}), sphere(1, 1, 256)};
-  scene.instances = {
-      {.mesh = 0, .world_from_mesh = Eigen::Affine3f::Identity(), .object = 0},
-      {.mesh = 1, .world_from_mesh = Eigen::Affine3f(Eigen::Translation3f(7, 1.5f, 0.5f)), .object = 1}};
-  return scene;
-}
-
-/// The labels of one image of that scene, read back from their files.
+/// The labels of one image of a floor and a sphere, read back from their files.
 struct LabelledView {
   TemporaryFolder folder = {};
   Recipe recipe = {};

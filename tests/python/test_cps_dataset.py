@@ -263,6 +263,16 @@ class Core(Layouts):
         (begun / ".cps" / "export.json").write_text("{}")
         self.assertRaisesRegex(ValueError, "not finished", CpsDataset, begun, "train")
 
+    def test_labels_of_another_lens_family_are_refused_by_its_name(self):
+        root = self.folder / "fisheyes"
+        leaf = root / "96x54_eucm_hfov120" / "front_lens0001"
+        leaf.mkdir(parents=True)
+        (leaf / "calibration.json").write_text(json.dumps({"schema": 2, "model": "eucm", "params": {"alpha": 0.6}}))
+        (root / "splits").mkdir()
+        (root / "splits" / "train.txt").write_text("96x54_eucm_hfov120/front_lens0001/000000.png\n")
+        with self.assertRaisesRegex(ValueError, "calibration.json: model: is eucm: only datasets of brown_conrady"):
+            CpsDataset(root, "train").size(0)
+
     def test_a_tar_that_lost_samples_is_named(self):
         cut = self.folder / "cut"
         cut.mkdir()

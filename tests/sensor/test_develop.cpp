@@ -71,6 +71,24 @@ TEST_CASE("metering brings the centre to the key and ignores the rim and the sun
   CHECK(meter_exposure(constant_image(8, 8, 0)) == 1.0);
 }
 
+TEST_CASE("images that share an exposure are metered together without the pixels that a mask leaves out") {
+  // Middle halves of 512 and 128 pixels.
+  const OIIO::ImageBuf large = constant_image(64, 32, 3), small = constant_image(32, 16, 1);
+  const MeteredImage both[] = {{&large}, {&small}};
+  CHECK(meter_exposure(both) == Approx(0.18 * 640 / (512 * 3.0 + 128 * 1.0)));
+  CHECK(meter_exposure(std::span(both, 1)) == meter_exposure(large));
+
+  OIIO::ImageBuf half_black = constant_image(64, 32, 0),
+                 mask(OIIO::ImageSpec(64, 32, 1, OIIO::TypeDesc::UINT8));
+  OIIO::ImageBufAlgo::fill(half_black, {3.0f, 3.0f, 3.0f}, OIIO::ROI(0, 32, 0, 32));
+  OIIO::ImageBufAlgo::fill(mask, {1.0f}, OIIO::ROI(0, 32, 0, 32));
+  const MeteredImage masked{&half_black, &mask}, whole{&half_black};
+  CHECK(meter_exposure(std::span(&masked, 1)) == Approx(0.06));
+  CHECK(meter_exposure(std::span(&whole, 1)) == Approx(0.12));
+  OIIO::ImageBufAlgo::zero(mask);
+  CHECK(meter_exposure(std::span(&masked, 1)) == 1.0);
+}
+
 TEST_CASE("developing gives the same bytes for any number of threads") {
   const OIIO::ImageBuf image = constant_image(123, 57, 0.3f);
   const auto run = [&](int threads) {

@@ -72,6 +72,25 @@ TEST_CASE("a photographed wall has the exposed colour in every format") {
   CHECK(linear.getchannel(60, 40, 0, 0) == Approx(4 * 0.4).epsilon(1e-5));
 }
 
+TEST_CASE("light on the sensor becomes the pixels that a master's does after the lens") {
+  const Master wall = flat_master(0.4f, 0.1f, 0.05f, 0.5);
+  const Sensor sensor{{.exposure_bias_ev = 0.5, .full_well_e = 500, .read_noise_e = 3}, Stream{5}};
+  OIIO::ImageBuf light(OIIO::ImageSpec(120, 80, 3, OIIO::TypeDesc::FLOAT));
+  OIIO::ImageBufAlgo::fill(light, {0.4f, 0.1f, 0.05f});
+  for (const PixelFormat format : {PixelFormat::rgb, PixelFormat::gray}) {
+    const OIIO::ImageBuf direct = photograph_light(light, 0.5, sensor, format),
+                         warped = photograph(wall, barrel, sensor, format);
+    REQUIRE(direct.spec().nchannels == warped.spec().nchannels);
+    int differing = 0;
+    for (std::size_t i = 0; i < direct.spec().image_bytes(); ++i)
+      differing += std::abs(codes(direct)[i] - codes(warped)[i]) > 1;  // the warp rounds
+    CHECK(differing == 0);
+  }
+  const OIIO::ImageBuf linear = photograph_light(light, 0.5, sensor, PixelFormat::linear);
+  REQUIRE(linear.spec().format == OIIO::TypeDesc::FLOAT);
+  CHECK(linear.getchannel(7, 9, 0, 1) == Approx(0.1 * 0.5 * std::sqrt(2.0)).epsilon(1e-6));
+}
+
 TEST_CASE("a master of luminance gives the gray image that the coloured one gives") {
   Master wall = flat_master(0.3f, 0.2f, 0.1f, 1);
   const Sensor sensor{{.exposure_bias_ev = 0, .full_well_e = 500, .read_noise_e = 3}, Stream{5}};

@@ -92,10 +92,8 @@ Pinhole straight_middle(const ModelCamera& camera) {
 
 }  // namespace
 
-std::optional<TrueFov> seen_fov(const ModelCamera& camera, const RayRegion& region) {
+SeenAngles seen_angles(const ModelCamera& camera, const RayRegion& region) {
   const Pinhole& pinhole = camera.pinhole;
-  if (const auto* lens = std::get_if<Distortion>(&camera.lens); lens && region.box)
-    return true_fov(*lens, pinhole, *region.box);
   const double left = -0.5, top = -0.5, right = pinhole.width - 0.5, bottom = pinhole.height - 0.5;
   const auto angle = [&](const Eigen::Vector2d& pixel_a,
                          const Eigen::Vector2d& pixel_b) -> std::optional<double> {
@@ -104,11 +102,19 @@ std::optional<TrueFov> seen_fov(const ModelCamera& camera, const RayRegion& regi
     if (!a || !b) return std::nullopt;
     return angle_past_axis(*a, *b);
   };
-  const auto horizontal = angle({left, pinhole.cy}, {right, pinhole.cy});
-  const auto vertical = angle({pinhole.cx, top}, {pinhole.cx, bottom});
   const auto falling = angle({left, top}, {right, bottom}), rising = angle({left, bottom}, {right, top});
-  if (!horizontal || !vertical || !falling || !rising) return std::nullopt;
-  return TrueFov{*horizontal, *vertical, std::max(*falling, *rising)};
+  SeenAngles seen{.horizontal_rad = angle({left, pinhole.cy}, {right, pinhole.cy}),
+                  .vertical_rad = angle({pinhole.cx, top}, {pinhole.cx, bottom})};
+  if (falling && rising) seen.diagonal_rad = std::max(*falling, *rising);
+  return seen;
+}
+
+std::optional<TrueFov> seen_fov(const ModelCamera& camera, const RayRegion& region) {
+  if (const auto* lens = std::get_if<Distortion>(&camera.lens); lens && region.box)
+    return true_fov(*lens, camera.pinhole, *region.box);
+  const SeenAngles seen = seen_angles(camera, region);
+  if (!seen.horizontal_rad || !seen.vertical_rad || !seen.diagonal_rad) return std::nullopt;
+  return TrueFov{*seen.horizontal_rad, *seen.vertical_rad, *seen.diagonal_rad};
 }
 
 std::optional<double> farthest_angle_rad(const ModelCamera& camera, const RayRegion& region) {

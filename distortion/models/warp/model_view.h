@@ -10,8 +10,16 @@
 /// Views of cameras of any family: angles seen, and straight cameras for their pictures.
 namespace cps {
 
+/// The angles of TrueFov, each for itself: empty where one of its ends lies outside the region.
+struct SeenAngles {
+  std::optional<double> horizontal_rad = {}, vertical_rad = {}, diagonal_rad = {};
+};
+
 /// The angles that the frame really sees, radians, as TrueFov defines them; angles beyond π/2 off the axis
-/// count in full (a fisheye may see more than π). Empty if one of the frame's ends lies outside the region.
+/// count in full (a fisheye may see more than π).
+SeenAngles seen_angles(const ModelCamera& camera, const RayRegion& region);
+
+/// The same where the frame sees all of them. Empty if one of the frame's ends lies outside the region.
 std::optional<TrueFov> seen_fov(const ModelCamera& camera, const RayRegion& region);
 
 /// The angle between the axis and the farthest ray of the frame's rim, radians; empty if the rim leaves the

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 
 #include "dataset/exchange/model_calibration.h"
 #include "dataset/labels/label.h"
@@ -48,4 +49,71 @@ TEST_CASE("a reader of Brown-Conrady labels refuses a fisheye's by its family's 
 TEST_CASE("a lens that is not one-to-one on the frame has no label") {
   CHECK_THROWS_WITH(model_label({"", pinhole_from_hfov(320, 240, radians(120)), KannalaBrandt{-.3, 0, 0, 0}}),
                     Catch::StartsWith("lens is not certified: "));
+}
+
+TEST_CASE("the label of a fisheye that does not reach its frame's corners names a mask and reads back") {
+  // Equidistant, 195 degrees along the row of a square: the corners would be at 138 degrees, but the lens
+  // ends at 1 + 3 k1 t² = 0, at 115 degrees.
+  const double end = radians(115);
+  ModelCamera camera =
+      *camera_from_seen_hfov(KannalaBrandt{-1 / (3 * end * end), 0, 0, 0}, 96, 96, radians(195));
+  camera.name = "front";
+  CHECK_THROWS_WITH(model_label(camera), Catch::StartsWith("lens is not certified: "));
+  ModelLabel label = masked_model_label(camera);
+  label.part = Part::train;
+  label.vehicle_from_camera = vehicle_from_camera({.pitch_deg = -4});
+  CHECK(label.valid == "valid.png");
+  CHECK(degrees(label.max_angle_rad) == Approx(115).margin(1e-3));
+  CHECK(degrees(label.seen.horizontal_rad.value()) == Approx(195).epsilon(1e-9));
+  CHECK(degrees(label.seen.vertical_rad.value()) == Approx(195).epsilon(1e-9));
+  CHECK_FALSE(label.seen.diagonal_rad);
+  const nlohmann::json json = nlohmann::json::parse(to_json(label).dump());
+  CHECK(json["fov_true_deg"]["d"].is_null());
+  CHECK(json["valid"] == "valid.png");
+  CHECK(json["certificate"]["max_angle_deg"].get<double>() == Approx(115).margin(1e-3));
+  const ModelLabel read = model_label_from_json(json, "x");
+  CHECK(read.camera == label.camera);
+  CHECK(read.valid == label.valid);
+  CHECK(read.seen.horizontal_rad.value() == Approx(label.seen.horizontal_rad.value()).epsilon(1e-15));
+  CHECK_FALSE(read.seen.diagonal_rad);
+  CHECK(read.certificate_min_scale == label.certificate_min_scale);
+  CHECK(read.max_angle_rad == Approx(label.max_angle_rad).epsilon(1e-15));
+  CHECK(read.vehicle_from_camera.matrix() == label.vehicle_from_camera.matrix());
+  CHECK(read.part == Part::train);
+  CHECK(read.generator == label.generator);
+
+  const Label common = common_label(label);
+  CHECK(common.camera == camera.pinhole);
+  CHECK(common.rig_camera == "front");
+  CHECK(common.part == Part::train);
+}
+
+TEST_CASE("a label of another family with a key that is wrong is refused by the key's name") {
+  const ModelCamera camera = *camera_from_seen_hfov(Eucm{.6, 1.1}, 320, 240, radians(120));
+  const nlohmann::json good = nlohmann::json::parse(to_json(model_label(camera)).dump());
+  CHECK(model_label_from_json(good, "x").camera == camera);
+  const auto refusal = [&](const std::function<void(nlohmann::json&)>& damage) -> std::string {
+    nlohmann::json json = good;
+    damage(json);
+    try {
+      model_label_from_json(json, "x/calibration.json");
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(refusal([](auto& json) { json["model"] = "fov"; }),
+             Catch::Contains("x/calibration.json: model"));
+  CHECK_THAT(refusal([](auto& json) { json["params"].erase("beta"); }),
+             Catch::Contains("params: beta is missing"));
+  CHECK_THAT(refusal([](auto& json) { json["params"]["alpha"] = 2; }), Catch::Contains("alpha"));
+  CHECK_THAT(refusal([](auto& json) {
+               json["gravity"] = {0, 0, 1};
+             }),
+             Catch::Contains("gravity: contradicts"));
+  CHECK_THAT(refusal([](auto& json) { json["valid"] = "mask.png"; }),
+             Catch::Contains("valid: must be valid.png"));
+  CHECK_THAT(refusal([](auto& json) { json["part"] = "some"; }), Catch::Contains("part"));
+  CHECK_THAT(refusal([](auto& json) { json.erase("certificate"); }),
+             Catch::Contains("certificate: is missing"));
 }

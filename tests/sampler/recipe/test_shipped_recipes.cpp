@@ -39,11 +39,15 @@ TEST_CASE("every shipped recipe makes as many views and images as it says") {
   struct Published {
     std::int64_t sets, views, images;
   };
-  const std::map<std::string, Published> published = {
-      {"cps-v1", {7, 70'000, 70'000}},         {"cps-v2", {13, 130'000, 780'000}},
-      {"cps-v3", {26, 195'000, 1'495'000}},    {"kitti", {10, 16'000, 80'000}},
-      {"wide-aspects", {48, 24'000, 120'000}}, {"smoke", {8, 720, 2'160}},
-      {"small", {31, 3'100, 9'300}},           {"demo", {5, 60, 240}}};
+  const std::map<std::string, Published> published = {{"cps-v1", {7, 70'000, 70'000}},
+                                                      {"cps-v2", {13, 130'000, 780'000}},
+                                                      {"cps-v3", {26, 195'000, 1'495'000}},
+                                                      {"kitti", {10, 16'000, 80'000}},
+                                                      {"wide-aspects", {48, 24'000, 120'000}},
+                                                      {"smoke", {8, 720, 2'160}},
+                                                      {"small", {31, 3'100, 9'300}},
+                                                      {"demo", {5, 60, 240}},
+                                                      {"fisheye", {8, 360, 720}}};
   int found = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CPS_RECIPES)) {
     if (entry.path().extension() != ".cfg") continue;
@@ -65,7 +69,7 @@ TEST_CASE("every shipped recipe makes as many views and images as it says") {
 }
 
 TEST_CASE("what is counted without a plan is what the plan comes to") {
-  for (const char* name : {"cps-v1", "cps-v3", "kitti", "wide-aspects"}) {
+  for (const char* name : {"cps-v1", "cps-v3", "kitti", "wide-aspects", "fisheye"}) {
     INFO(name);
     Recipe recipe = shipped(name, {"--scale", "0.002"});
     recipe.views_per_lens = 4;

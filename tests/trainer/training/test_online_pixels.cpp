@@ -21,9 +21,9 @@ const double min_eigenvalue = LensBounds{}.min_eigenvalue;
 
 /// Two renders of coloured stripes and slopes, each with noise of its own. Where `fits_halves`, mean and
 /// difference are multiples of 1/256 below 4, which half floats hold exactly.
-RenderedHalves stripes(const Pinhole& camera, bool fits_halves) {
+RenderedView stripes(const Pinhole& camera, bool fits_halves) {
   const OIIO::ImageSpec spec(camera.width, camera.height, 3, OIIO::TypeDesc::FLOAT);
-  RenderedHalves halves{.first = OIIO::ImageBuf(spec), .second = OIIO::ImageBuf(spec)};
+  RenderedView halves{.first = OIIO::ImageBuf(spec), .second = OIIO::ImageBuf(spec)};
   auto* first = static_cast<float*>(halves.first.localpixels());
   auto* second = static_cast<float*>(halves.second.localpixels());
   const Stream noise = make_stream(3, "stripes");
