@@ -10,7 +10,7 @@ using namespace cps;
 namespace {
 
 // All numbers differ and none is short: any exchange, any half pixel, any rounding shows.
-const Pinhole pinhole{1392, 512, 384.2439123456789, 980.8141 / 3, 690.1234, 233.1966};
+const Pinhole round_trip_pinhole{1392, 512, 384.2439123456789, 980.8141 / 3, 690.1234, 233.1966};
 
 const std::vector<LensModel> lenses{
     Distortion{.k1 = -0.31 / 3, .k2 = 0.11 / 7, .p1 = 0.0013 / 3, .p2 = -0.0021 / 7},
@@ -54,7 +54,7 @@ TEST_CASE("every format reads back every lens that it can hold, and refuses the 
   for (const CalibrationFormat format : formats)
     for (const LensModel& lens : lenses) {
       INFO(to_string(format) << " " << family(lens));
-      const ModelCamera written{"02", pinhole, lens};
+      const ModelCamera written{"02", round_trip_pinhole, lens};
       const std::filesystem::path file = no_file(format);
       if (!can_hold(format, lens)) {
         const std::string why =
@@ -68,11 +68,11 @@ TEST_CASE("every format reads back every lens that it can hold, and refuses the 
       write_model_calibration(file, format, std::vector{written});
       const ModelCamera read = read_model_camera(file, "");
       CHECK(read.lens == lens);
-      Pinhole expected = pinhole;
+      Pinhole expected = round_trip_pinhole;
       if (moves_half_pixels(format)) {
         constexpr double last_bit = std::numeric_limits<double>::epsilon();
-        CHECK(std::abs(read.pinhole.cx - pinhole.cx) <= last_bit * pinhole.cx);
-        CHECK(std::abs(read.pinhole.cy - pinhole.cy) <= last_bit * pinhole.cy);
+        CHECK(std::abs(read.pinhole.cx - round_trip_pinhole.cx) <= last_bit * round_trip_pinhole.cx);
+        CHECK(std::abs(read.pinhole.cy - round_trip_pinhole.cy) <= last_bit * round_trip_pinhole.cy);
         expected.cx = read.pinhole.cx;
         expected.cy = read.pinhole.cy;
       }
@@ -93,16 +93,16 @@ TEST_CASE("k3 is held where the format has a place for it") {
   CHECK_THAT(refusal_of(file,
                         [&] {
                           write_model_calibration(file, CalibrationFormat::kalibr,
-                                                  std::vector{ModelCamera{"left", pinhole, sphere}});
+                                                  std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
                         }),
              Catch::Contains("left: k3 is not 0, which kalibr has no place for: write it as cps"));
   const std::filesystem::path json = no_file(CalibrationFormat::cps);
-  write_model_calibration(json, CalibrationFormat::cps, std::vector{ModelCamera{"left", pinhole, sphere}});
+  write_model_calibration(json, CalibrationFormat::cps, std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
   CHECK(read_model_camera(json, "left").lens == sphere);
 }
 
 TEST_CASE("Brown–Conrady gives the same bytes as a camera of any family") {
-  const CalibratedCamera camera{"02", pinhole, std::get<Distortion>(lenses[0])};
+  const CalibratedCamera camera{"02", round_trip_pinhole, std::get<Distortion>(lenses[0])};
   for (const CalibrationFormat format : formats) {
     INFO(to_string(format));
     const std::filesystem::path file = no_file(format);
@@ -117,7 +117,7 @@ TEST_CASE("readers of Brown–Conrady refuse other families by name and keep the
   const std::filesystem::path file = file_of("cameras.txt", "");
   write_model_calibration(
       file, CalibrationFormat::colmap,
-      std::vector{ModelCamera{"1", pinhole, lenses[0]}, ModelCamera{"2", pinhole, lenses[2]}});
+      std::vector{ModelCamera{"1", round_trip_pinhole, lenses[0]}, ModelCamera{"2", round_trip_pinhole, lenses[2]}});
   CHECK(read_camera(file, "1").distortion == std::get<Distortion>(lenses[0]));
   CHECK_THAT(refusal_of(file, [&] { read_camera(file, "2"); }),
              Catch::Contains("2: its lens model is kannala_brandt") && Catch::Contains("cps lens convert"));
@@ -126,7 +126,7 @@ TEST_CASE("readers of Brown–Conrady refuse other families by name and keep the
 }
 
 TEST_CASE("a file of several families: kalibr and colmap hold them, nerfstudio holds one") {
-  const std::vector<ModelCamera> cameras{{"1", pinhole, lenses[0]}, {"2", pinhole, lenses[2]}};
+  const std::vector<ModelCamera> cameras{{"1", round_trip_pinhole, lenses[0]}, {"2", round_trip_pinhole, lenses[2]}};
   const std::filesystem::path kalibr = no_file(CalibrationFormat::kalibr);
   write_model_calibration(kalibr, CalibrationFormat::kalibr, cameras);
   CHECK(read_model_camera(kalibr, "cam0").lens == lenses[0]);
@@ -140,7 +140,7 @@ TEST_CASE("calibration.json of another family has no key that a reader of CPS da
   for (const LensModel& lens : lenses) {
     if (std::holds_alternative<Distortion>(lens)) continue;
     const std::filesystem::path file = no_file(CalibrationFormat::cps);
-    write_model_calibration(file, CalibrationFormat::cps, std::vector{ModelCamera{"02", pinhole, lens}});
+    write_model_calibration(file, CalibrationFormat::cps, std::vector{ModelCamera{"02", round_trip_pinhole, lens}});
     const nlohmann::json json = nlohmann::json::parse(read_file(file));
     for (const char* key : {"fov", "k1", "k2", "k3", "p1", "p2", "cx", "cy"}) CHECK_FALSE(json.contains(key));
     CHECK(json.at("model") == family(lens));
