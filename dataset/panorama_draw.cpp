@@ -42,6 +42,21 @@ struct DrawnView {
   std::optional<DrawnLens> brown_conrady;
 };
 
+bool draws_focal(const PanoramaSetOptions& options) {
+  return options.focal_px.high > 0;
+}
+
+/// The lens of a family's prior, its focal length drawn, its principal point in the middle.
+DrawnView view_of_drawn_focal(const PanoramaSetOptions& options, Stream stream) {
+  constexpr double of_width_px = 299;
+  const auto [width, height] = options.size;
+  const Stream focals = make_stream(stream.key, "focal");
+  const double focal =
+      random_uniform(focals, 0, options.focal_px.low, options.focal_px.high) * width / of_width_px;
+  const Pinhole pinhole{width, height, focal, focal, .5 * (width - 1), .5 * (height - 1)};
+  return {{"", pinhole, draw_model_lens(options.family, stream)}, std::nullopt};
+}
+
 /// Nothing if the lens does not reach the H-FOV.
 std::optional<DrawnView> draw_view(const PanoramaSetOptions& options, double hfov_rad, Stream stream) {
   const auto [width, height] = options.size;
@@ -50,6 +65,7 @@ std::optional<DrawnView> draw_view(const PanoramaSetOptions& options, double hfo
     const DrawnLens lens = draw_lens(wanted, CropOrder::label_first, options.lens, stream);
     return DrawnView{{"", lens.crop.camera, lens.distortion}, lens};
   }
+  if (draws_focal(options)) return view_of_drawn_focal(options, stream);
   const auto camera = camera_from_seen_hfov(draw_model_lens(options.family, stream), width, height, hfov_rad);
   if (!camera) return std::nullopt;
   return DrawnView{*camera, std::nullopt};
@@ -102,6 +118,11 @@ std::string PanoramaSetOptions::fault() const {
        {interval_fault("hfov", hfov_deg, 5, is_brown_conrady ? 150 : 195),
         interval_fault("pitch", pitch_deg, -90, 90), interval_fault("roll", roll_deg, -180, 180)})
     if (!fault.empty()) return fault;
+  if (draws_focal(*this) && family != "unified_spherical")
+    return "focal: needs the lens model unified_spherical";
+  if ((draws_focal(*this) || focal_px.low != 0) &&
+      !(focal_px.low >= 10 && focal_px.low <= focal_px.high && focal_px.high <= 10000))
+    return "focal: must lie in 10..10000 pixels, the smaller number first";
   if (views < 1 || views > 10000) return "views: must lie in [1, 10000]";
   if (size.width < 32 || size.height < 32) return "size: must be at least 32x32 pixels";
   return lens.fault();
@@ -139,12 +160,16 @@ std::vector<PanoramaView> draw_panorama_views(const PanoramaSource& panorama,
       drawn = draw_view(options, hfov_rad, substream(draw, 1));
       if (drawn && !panorama_suffices(panorama, drawn->camera)) drawn.reset();
     }
-    if (!drawn)
+    if (!drawn) {
+      const Interval& range = draws_focal(options) ? options.focal_px : options.hfov_deg;
       throw std::runtime_error(fmt::format(
-          "no {} lens found for {}x{} and H-FOVs of {:g}..{:g} degrees in {} pixels around: ask for a smaller "
-          "size or other H-FOVs, or take finer panoramas",
-          options.family, options.size.width, options.size.height, options.hfov_deg.low,
-          options.hfov_deg.high, panorama.width));
+          "no {} lens found for {}x{} and {} of {:g}..{:g} {} in {} pixels around: ask for a smaller "
+          "size or other {}, or take finer panoramas",
+          options.family, options.size.width, options.size.height,
+          draws_focal(options) ? "focal lengths" : "H-FOVs", range.low, range.high,
+          draws_focal(options) ? "pixels" : "degrees", panorama.width,
+          draws_focal(options) ? "focal lengths" : "H-FOVs"));
+    }
     view.camera = drawn->camera;
     view.camera.name = panorama.name;
     view.label = label_of(view, *drawn, options);

@@ -19,6 +19,9 @@ struct PanoramaSetOptions {
   std::string family = "brown_conrady";  ///< or one of prior_families()
   /// Of the image: the label's for brown_conrady, what the picture really shows for the other families.
   Interval hfov_deg{60, 110};
+  /// Of unified_spherical: the focal length at an image width of 299 pixels, which is then drawn in place of
+  /// the H-FOV (as Bogdan et al. 2018 do, from 50 to 500). {0, 0}: it follows from the H-FOV.
+  Interval focal_px{0, 0};
   Interval pitch_deg{-15, 15}, roll_deg{-10, 10};  ///< up and clockwise; yaw is uniform all around
   int views = 8;                                   ///< of each panorama
   ImageSize size{320, 240};
@@ -51,7 +54,8 @@ Part part_of_panorama(std::string_view name);
 /// Draws the panorama's views, numbered from 1, each a pure function of the options, the panorama's name and
 /// width, and its number. A lens that is not certified on its whole frame, or that enlarges the panorama
 /// anywhere by more than the warp's kernel allows, is drawn again with its H-FOV. Brown–Conrady lenses come
-/// from draw_lens() by their label's H-FOV, the others from draw_model_lens(). The label's T_vehicle_camera
+/// from draw_lens() by their label's H-FOV, the others from draw_model_lens(). With a focal_px the H-FOV is
+/// that of the drawn focal length and lens. The label's T_vehicle_camera
 /// is the camera's rotation from a level one that looks at the panorama's middle. Throws std::runtime_error
 /// in one line when no lens is found.
 std::vector<PanoramaView> draw_panorama_views(const PanoramaSource& panorama,

@@ -125,8 +125,9 @@ nlohmann::ordered_json origin_json(const std::vector<PlannedPanorama>& panoramas
   const auto ends = [](const Interval& interval) {
     return nlohmann::ordered_json{interval.low, interval.high};
   };
+  const bool has_focal = options.focal_px.high > 0;
   return {{"lens_model", options.family},
-          {"hfov_deg", ends(options.hfov_deg)},
+          {has_focal ? "focal_px" : "hfov_deg", ends(has_focal ? options.focal_px : options.hfov_deg)},
           {"pitch_deg", ends(options.pitch_deg)},
           {"roll_deg", ends(options.roll_deg)},
           {"views", options.views},

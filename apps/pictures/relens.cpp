@@ -20,7 +20,7 @@ struct RelensRequest {
   std::string panorama, output, scheme = "shape_prior", size;
   RelensOptions options;
   PanoramaSetOptions views;  ///< of panoramas
-  std::string hfov, pitch, roll;
+  std::string hfov, focal, pitch, roll;
 };
 
 std::string interval_text(const Interval& interval) {
@@ -46,6 +46,9 @@ void describe_panoramas(RelensRequest& r, po::options_description_easy_init add)
   add("hfov", po::value(&r.hfov)->value_name("MIN..MAX")->default_value(interval_text(r.views.hfov_deg)),
       "range of the H-FOV of views of panoramas, degrees within 5..150: the label's; within 5..195 for "
       "families other than brown_conrady: what the image shows");
+  add("focal", po::value(&r.focal)->value_name("MIN..MAX"),
+      "instead of --hfov, of unified_spherical: range of the focal length for an image width of 299 pixels, "
+      "pixels within 10..10000; 50..500 is DeepCalib's");
   add("pitch", po::value(&r.pitch)->value_name("MIN..MAX")->default_value(interval_text(r.views.pitch_deg)),
       "range of their pitch, upwards, degrees; write --pitch=-20..20");
   add("roll", po::value(&r.roll)->value_name("MIN..MAX")->default_value(interval_text(r.views.roll_deg)),
@@ -88,10 +91,12 @@ void check_source(const RelensRequest& request, const po::variables_map& values)
   const auto others = is_panorama
                           ? std::vector<const char*>{"kitti",  "pictures",  "lens",         "lens-camera",
                                                      "lenses", "narrowest", "straight-hfov"}
-                          : std::vector<const char*>{"lens_model", "views", "hfov", "pitch", "roll"};
+                          : std::vector<const char*>{"lens_model", "views", "hfov", "focal", "pitch", "roll"};
   for (const char* option : others)
     if (values.count(option) > 0 && !values[option].defaulted())
       throw po::error(fmt::format("--{}: {} --panorama", option, is_panorama ? "does not go with" : "needs"));
+  if (values.count("focal") > 0 && !values["hfov"].defaulted())
+    throw po::error("--focal: takes the place of --hfov; leave one of them out");
   if (request.views.family != "brown_conrady" && !values["lens_draw"].defaulted())
     throw po::error("--lens_draw: draws brown_conrady lenses; leave it out with another --lens_model");
 }
@@ -101,6 +106,7 @@ void finish(RelensRequest& request, const po::variables_map& values) {
   request.options.lens.scheme = flag_value<LensScheme>("lens_draw", request.scheme);
   if (!request.size.empty()) request.options.size = request.views.size = picture_size("size", request.size);
   request.views.hfov_deg = flag_interval("hfov", request.hfov);
+  if (!request.focal.empty()) request.views.focal_px = flag_interval("focal", request.focal);
   request.views.pitch_deg = flag_interval("pitch", request.pitch);
   request.views.roll_deg = flag_interval("roll", request.roll);
   request.views.lens = request.options.lens;
@@ -123,7 +129,8 @@ const Manual relens_manual{
     .summary = "make a test set from real pictures, through many lenses",
     .synopsis = {"(--kitti FOLDER | --pictures FOLDER --lens CALIBRATION) -o DATASET [--lenses N] "
                  "[--lens_draw SCHEME] [--size WxH]",
-                 "--panorama FOLDER -o DATASET [--lens_model FAMILY] [--views N] [--hfov MIN..MAX] "
+                 "--panorama FOLDER -o DATASET [--lens_model FAMILY] [--views N] "
+                 "[--hfov MIN..MAX | --focal MIN..MAX] "
                  "[--pitch MIN..MAX] [--roll MIN..MAX] [--size WxH]"},
     .description = R"(
 Straightens each picture by its known lens and warps it through drawn, certified
@@ -145,7 +152,10 @@ in its dataset.json.
                  {"cps relens --panorama panoramas/ -o real --views 50 --hfov 50..100",
                   "looks into each panorama through fifty lenses"},
                  {"cps relens --panorama panoramas/ -o fisheyes --lens_model kannala_brandt --hfov 120..190",
-                  "does so through fisheyes"}},
+                  "does so through fisheyes"},
+                 {"cps relens --panorama panoramas/ -o crops --lens_model unified_spherical --focal 50..500 "
+                  "--size 299x299",
+                  "draws what DeepCalib trains on"}},
     .see_also = {"cps eval", "cps lens sample"},
 };
 

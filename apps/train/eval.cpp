@@ -1,13 +1,15 @@
 #include <filesystem>
 #include <iostream>
+#include <variant>
 
 #include "apps/options.h"
 #include "apps/train/summaries.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
-#include "dataset/exchange/calibration_file.h"
+#include "dataset/exchange/model_calibration.h"
 #include "files/files.h"
 #include "trainer/evaluation/evaluate.h"
+#include "trainer/evaluation/evaluate_rays.h"
 #include "trainer/network/threads.h"
 
 namespace po = boost::program_options;
@@ -52,17 +54,25 @@ po::options_description describe(EvalRequest& r) {
   return options;
 }
 
-EvaluationSet set_of(const EvalRequest& r) {
+/// Pictures of Brown–Conrady cameras alone, or of any.
+using AnySet = std::variant<EvaluationSet, RaySet>;
+
+AnySet set_of(const EvalRequest& r) {
   if ((!r.data.empty()) + (!r.kitti.empty()) + (!r.pictures.empty()) != 1)
     throw po::error("give exactly one of --data, --kitti, --pictures");
   if (!r.kitti.empty()) return kitti_evaluation_set(r.kitti);
   if (!r.pictures.empty()) {
     if (r.lens.empty()) throw po::error("--pictures needs the camera's calibration: add --lens FILE");
-    return picture_evaluation_set(r.pictures, read_camera(r.lens, r.camera));
+    const ModelCamera camera = read_model_camera(r.lens, r.camera);
+    const auto* lens = std::get_if<Distortion>(&camera.lens);
+    if (!lens) return ray_set(r.pictures, camera);
+    return picture_evaluation_set(r.pictures, {camera.name, camera.pinhole, *lens});
   }
   const Part part = usage_checked([&] { return part_from_string(r.part); });
   if (part == Part::all) throw po::error("--part: use train, val or test");
-  return evaluation_set(read_dataset(r.data), part);
+  const Dataset dataset = read_dataset(r.data, LensFamilies::any);
+  if (is_brown_conrady(dataset, part)) return evaluation_set(dataset, part);
+  return ray_set(dataset, part);
 }
 
 fs::path output_file(const EvalRequest& r) {
@@ -70,6 +80,15 @@ fs::path output_file(const EvalRequest& r) {
   return fs::path(r.model) / (!r.kitti.empty()      ? "eval_kitti.json"
                               : !r.pictures.empty() ? "eval_pictures.json"
                                                     : "eval.json");
+}
+
+template <typename Result>
+void write_results(const EvalRequest& request, Result& result) {
+  result.model = request.model;
+  const fs::path json = output_file(request), page = fs::path(json).replace_extension(".html");
+  write_json(json, to_json(result));
+  write_file(page, to_html(result));
+  std::cout << result.report() << "written to " << json.string() << " and " << page.string() << "\n";
 }
 
 }  // namespace
@@ -81,6 +100,12 @@ const Manual eval_manual{
     .description = R"(
 Measures the errors of a trained network beside those of two baselines that
 ignore the image. Prints a table and writes a JSON file and an HTML page.
+
+Networks and pictures may be of different lens families. They are compared in
+ray space: the angle between the true and the predicted ray of a pixel, as it
+is and after the best turn, the reprojection error, and the error of the H-FOV
+that is seen. A Brown-Conrady network on pictures of such cameras has the
+errors of its eight outputs, too.
 )",
     .examples = {{"cps eval --data data --model model", "measures on the test images of a dataset"},
                  {"cps eval --kitti kitti/2011_09_26 --model model", "measures on KITTI's raw pictures"}},
@@ -97,12 +122,18 @@ int eval_verb(const Arguments& arguments) {
   use_threads(request.threads);
 
   const Predictor predictor(request.model, device);
-  Evaluation evaluation = evaluate(predictor, set_of(request), request.options);
-  evaluation.model = request.model;
-  const fs::path json = output_file(request), page = fs::path(json).replace_extension(".html");
-  write_json(json, to_json(evaluation));
-  write_file(page, to_html(evaluation));
-  std::cout << evaluation.report() << "written to " << json.string() << " and " << page.string() << "\n";
+  const AnySet set = set_of(request);
+  const auto* of_brown_conrady = std::get_if<EvaluationSet>(&set);
+  if (of_brown_conrady && !is_deepcalib(predictor.card().options.head)) {
+    Evaluation evaluation = evaluate(predictor, *of_brown_conrady, request.options);
+    write_results(request, evaluation);
+    return 0;
+  }
+  if (request.options.robustness)
+    throw po::error("--robustness: needs a Brown-Conrady network and pictures of Brown-Conrady cameras");
+  RayEvaluation evaluation = evaluate_rays(
+      predictor, of_brown_conrady ? ray_set(*of_brown_conrady) : std::get<RaySet>(set), request.options);
+  write_results(request, evaluation);
   return 0;
 }
 

@@ -10,8 +10,10 @@
 #include "apps/train/verbs.h"
 #include "dataset/exchange/calibration_file.h"
 #include "dataset/exchange/camera_pictures.h"
+#include "dataset/exchange/model_calibration.h"
 #include "distortion/warp/view_fit.h"
 #include "files/files.h"
+#include "trainer/evaluation/predict_spheres.h"
 #include "trainer/network/threads.h"
 #include "trainer/onnx/export_onnx.h"
 
@@ -95,6 +97,26 @@ void write_undistorted(const ImagePrediction& p, const fs::path& folder) {
                 unwarp(picture.pixels, camera.pinhole, camera.distortion, view.camera, options), picture);
 }
 
+/// What is asked for of a network with a DeepCalib head.
+void predict_all_spheres(const PredictRequest& request, const Predictor& predictor,
+                         CalibrationFormat format) {
+  if (!request.undistorted.empty())
+    throw po::error("--undistort: a deepcalib model writes --cameras, which cps undistort --lens takes");
+  const LensModel family = UnifiedSpherical{};
+  if (!request.cameras.empty() && !can_hold(format, family))
+    throw po::error("--format " + to_string(format) +
+                    ": cannot hold the unified_spherical lenses of a deepcalib model; cps, opencv-yaml, "
+                    "opencv-xml and kalibr can");
+  const std::vector<SpherePrediction> predictions = predict_spheres(predictor, pictures(request.images));
+  std::cout << report(predictions);
+  if (!request.json.empty()) write_json(request.json, to_json(predictions));
+  if (request.cameras.empty()) return;
+  for (const SpherePrediction& p : predictions)
+    write_model_calibration(
+        fs::path(request.cameras) / (p.file.stem().string() + "_" + usual_file_name(format)), format,
+        std::vector{p.camera});
+}
+
 }  // namespace
 
 const Manual predict_manual{
@@ -108,6 +130,10 @@ point, and the true values if a calibration.json lies beside the picture.
 
 Calibration files and undistorted pictures use a certified lens: if the
 predicted one is not certified, its distortion is reduced until it is.
+
+A model of a deepcalib preset prints the focal length and xi of a
+unified_spherical camera, and its errors against the truth in ray space; there
+is no spread and no --undistort.
 
 The second form predicts nothing: it writes the network as a file that other
 programs can run. Its metadata say what its inputs and outputs are.
@@ -138,6 +164,10 @@ int predict_verb(const Arguments& arguments) {
   use_threads(request.threads);
 
   const Predictor predictor(request.model, device);
+  if (is_deepcalib(predictor.card().options.head)) {
+    predict_all_spheres(request, predictor, format);
+    return 0;
+  }
   const std::vector<ImagePrediction> predictions =
       predict_images(predictor, pictures(request.images), request.options);
   std::cout << report(predictions);

@@ -8,6 +8,7 @@
 #include "apps/train/summaries.h"
 #include "apps/train/usage.h"
 #include "apps/train/verbs.h"
+#include "trainer/model/model_card.h"
 #include "trainer/model/train_presets.h"
 #include "trainer/network/architectures.h"
 #include "trainer/onnx/export_onnx.h"
@@ -110,7 +111,9 @@ const Manual train_manual{
                  "--data DATASET --out MODEL --resume"},
     .description = R"(
 Trains a network on the train images of a dataset and keeps the weights that do
-best on its val images. After an interruption, --resume continues.
+best on its val images. After an interruption, --resume continues. The presets
+whose names begin with deepcalib learn the lenses of unified_spherical datasets,
+the others those of brown_conrady datasets; another dataset is refused.
 
 cps train, cps eval and cps predict run the program cps-train, which is
 installed beside cps and is the only one that needs LibTorch; cps-train train
@@ -137,7 +140,8 @@ int train_verb(const Arguments& arguments) {
       "device", po::value<std::string>(&device)->value_name("DEVICE")->default_value("cpu"),
       "where to compute: cpu or cuda")("resume", po::bool_switch(),
                                        "continue the training of the model in --out, with its own options");
-  flag(files, "onnx", with_onnx, "at the end, also write the network as model.onnx");
+  flag(files, "onnx", with_onnx,
+       "at the end, also write the network as model.onnx (not with a deepcalib preset)");
   const po::options_description how = training_flags(options, words);
   po::options_description all = files;
   all.add(how);
@@ -161,7 +165,7 @@ int train_verb(const Arguments& arguments) {
 
   const Ranks ranks = join_ranks();
   if (!values.count("batches-per-step")) options.batches_per_step = ranks.count;
-  const Dataset dataset = read_dataset(data);
+  const Dataset dataset = read_dataset(data, LensFamilies::any);
   const TrainSummary summary = train(
       dataset, out, options, resume,
       [&](const EpochReport& report) {
@@ -171,7 +175,9 @@ int train_verb(const Arguments& arguments) {
       ranks, computed_on);
   if (ranks.rank != 0) return 0;
   for (const std::string& why : summary.skipped) std::cerr << "left out: " << why << "\n";
-  if (with_onnx) write_onnx(out, fs::path(out) / onnx_file_name);
+  // There is no ONNX form of the DeepCalib heads.
+  if (with_onnx && !is_deepcalib(load_model_card(out).options.head))
+    write_onnx(out, fs::path(out) / onnx_file_name);
   std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
   return 0;
 }

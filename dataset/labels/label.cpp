@@ -89,8 +89,8 @@ Label label_from_json(const nlohmann::json& json, const std::string& file) {
   const int schema = schema_of(reader);
   if (json.contains("params"))
     reader.fail("model", "is " + reader.text("model") +
-                             ": only datasets of brown_conrady lenses are read here; cps verify and cps "
-                             "contact-sheet take this one");
+                             ": only datasets of brown_conrady lenses are read here; cps verify, cps "
+                             "contact-sheet and cps eval take this one");
   Label label;
   const CalibratedCamera calibrated = camera_from_json(reader);
   check_camera(calibrated.pinhole, reader);

@@ -11,6 +11,7 @@
 #include "distortion/models/projection.h"
 #include "distortion/models/warp/proved_camera.h"
 #include "distortion/warp/warp_options.h"
+#include "files/json_keys.h"
 #include "numbers/angles.h"
 
 namespace cps {

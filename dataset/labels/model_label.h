@@ -38,7 +38,8 @@ ModelLabel masked_model_label(const ModelCamera& camera);
 /// that the image does not see is null.
 nlohmann::ordered_json to_json(const ModelLabel& label);
 
-/// Throws as label_from_json() does.
+/// Throws std::runtime_error with one line that starts with `file` and names the key when one is missing, of
+/// the wrong type, or contradicts another (gravity against T_vehicle_camera). The lens is not proved again.
 ModelLabel model_label_from_json(const nlohmann::json& json, const std::string& file);
 
 /// What labels of all families have in common: size, focal lengths and principal point, rig camera, part,

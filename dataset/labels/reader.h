@@ -17,7 +17,7 @@ struct DatasetGroup {
   /// Of a lens of another family; then `label` is common_label() of it. Only with LensFamilies::any.
   std::optional<ModelLabel> model = {};
 
-  /// The camera and its lens.
+  /// The camera and its lens, of whatever family, with the rig camera's name.
   ModelCamera camera() const {
     return model ? model->camera : ModelCamera{label.rig_camera, label.camera, label.distortion};
   }
@@ -38,9 +38,9 @@ struct Dataset {
 /// Which lenses a reader of datasets knows what to do with.
 enum class LensFamilies { brown_conrady, any };
 
-/// Reads the labels (every calibration.json) and the split lists of a finished dataset; no pixels. Throws
-/// std::runtime_error with one line: folder or file, what is wrong, what to do. A label of a family that is
-/// not asked for is refused by the family's name.
+/// Reads the labels (every calibration.json) and the split lists of a finished dataset; no pixels. Its labels
+/// may be of several families. Throws std::runtime_error with one line: folder or file, what is wrong, what
+/// to do. A label of a family that is not asked for is refused by the family's name.
 Dataset read_dataset(const std::filesystem::path& root, LensFamilies families = LensFamilies::brown_conrady);
 
 }  // namespace cps

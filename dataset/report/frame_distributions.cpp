@@ -27,6 +27,16 @@ std::string no_note(const Recipe&) {
 std::string mount_angle_note(const Recipe& recipe) {
   return fmt::format("Recipe: normal, standard deviation {:g}", recipe.mount_error_deg);
 }
+std::string turned_note(const Recipe& recipe, double min_deg, double max_deg) {
+  if (min_deg == 0 && max_deg == 0) return mount_angle_note(recipe);
+  return mount_angle_note(recipe) + fmt::format(", and uniform in {:g} … {:g}", min_deg, max_deg);
+}
+std::string mount_pitch_note(const Recipe& recipe) {
+  return turned_note(recipe, recipe.camera_pitch_min_deg, recipe.camera_pitch_max_deg);
+}
+std::string mount_roll_note(const Recipe& recipe) {
+  return turned_note(recipe, recipe.camera_roll_min_deg, recipe.camera_roll_max_deg);
+}
 std::string mount_offset_note(const Recipe& recipe) {
   return fmt::format("Recipe: normal along each axis, standard deviation {:g} mm",
                      1000 * recipe.mount_error_m);
@@ -69,13 +79,13 @@ constexpr FrameNumber frame_numbers[] = {
      nullptr, no_note},
     {"mount error about the camera's x axis", "degrees, up",
      [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 0); }, nullptr,
-     mount_angle_note},
+     mount_pitch_note},
     {"mount error about the camera's y axis", "degrees, to the right",
      [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 1); }, nullptr,
      mount_angle_note},
     {"mount error about the camera's z axis", "degrees, clockwise",
      [](const FrameRow&, const Pose&, const Pose& error) { return turned_deg(error, 2); }, nullptr,
-     mount_angle_note},
+     mount_roll_note},
     {"distance from the mount", "mm",
      [](const FrameRow&, const Pose&, const Pose& error) { return 1000 * error.translation().norm(); },
      nullptr, mount_offset_note},

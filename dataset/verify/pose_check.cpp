@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -18,8 +19,13 @@ constexpr double rounding = 1e-6;
 /// Empty when nothing is wrong.
 std::string pose_fault(const FrameRow& frame, const Label& label, const Recipe& recipe) {
   constexpr double deviations = 8;
-  // Errors of yaw, pitch and roll add up at worst: to √3 times their root sum of squares.
-  const double max_angle_rad = deviations * std::numbers::sqrt3 * radians(recipe.mount_error_deg) + rounding,
+  // Errors of yaw, pitch and roll add up at worst: to √3 times their root sum of squares. A turn changes the
+  // pitch and the roll of the nominal pose, each by itself.
+  const double max_turn_deg =
+      std::max(std::abs(recipe.camera_pitch_min_deg), std::abs(recipe.camera_pitch_max_deg)) +
+      std::max(std::abs(recipe.camera_roll_min_deg), std::abs(recipe.camera_roll_max_deg));
+  const double max_angle_rad = deviations * std::numbers::sqrt3 * radians(recipe.mount_error_deg) +
+                               radians(max_turn_deg) + rounding,
                max_offset_m = deviations * recipe.mount_error_m + rounding;
   if (std::abs(frame.camera_rotation.norm() - 1) > rounding) return "camera_qw…qz: is no unit quaternion";
   if (!((frame.gravity - gravity_by_pose(frame)).norm() <= rounding))

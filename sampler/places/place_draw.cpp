@@ -37,6 +37,13 @@ RigCamera with_mount_error(RigCamera camera, const Recipe& recipe, Stream draw) 
   return camera;
 }
 
+/// Turned further by what the recipe draws for each place.
+RigCamera with_drawn_turn(RigCamera camera, const Recipe& recipe, Stream draw) {
+  camera.pitch_deg += random_uniform(draw, 0, recipe.camera_pitch_min_deg, recipe.camera_pitch_max_deg);
+  camera.roll_deg += random_uniform(draw, 1, recipe.camera_roll_min_deg, recipe.camera_roll_max_deg);
+  return camera;
+}
+
 /// The fault of the first camera that has one.
 PlaceFault rig_fault(const DrivableScene& scene, const DrawnPlace& drawn, const Recipe& recipe) {
   for (const RigCamera& camera : drawn.cameras) {
@@ -155,8 +162,9 @@ DrawnPlace draw_place(const DrivableScene& scene, const Rig& rig, Part part, con
     drawn.place = on_wheels(scene.rays, place_on_lane(lane, distance_m, offset.lateral_m, offset.yaw_rad));
     if (!is_clear_of(scene.traffic, drawn.place)) continue;
     for (std::size_t c = 0; c < rig.cameras.size(); ++c)
-      drawn.cameras.push_back(
-          with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)));
+      drawn.cameras.push_back(with_drawn_turn(
+          with_mount_error(rig.cameras[c], recipe, substream(make_stream(draw.key, "mount"), c)), recipe,
+          substream(make_stream(draw.key, "turn"), c)));
     const PlaceFault fault = rig_fault(scene, drawn, recipe);
     ++tally.drawn;
     ++tally.faults[static_cast<int>(fault)];

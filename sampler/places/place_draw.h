@@ -55,7 +55,7 @@ struct PlaceTally {
 struct DrawnPlace {
   std::string street;
   Place place;
-  std::vector<RigCamera> cameras;  ///< the cameras of the rig, with mount errors
+  std::vector<RigCamera> cameras;  ///< the cameras of the rig, with mount errors and the recipe's turns
   PlaceTally tally;                ///< counts this place and those rejected before it
 };
 

@@ -80,6 +80,11 @@ std::string Recipe::fault() const {
        "views: must lie in [3, 1000000], one for each of train, val and test"},
       {is_between(mount_error_deg, 0, 30), "mount_error_deg: must lie in [0, 30]"},
       {is_between(mount_error_m, 0, 0.5), "mount_error_m: must lie in [0, 0.5]"},
+      {is_between(camera_pitch_min_deg, -45, 45) &&
+           is_between(camera_pitch_max_deg, camera_pitch_min_deg, 45),
+       "camera_pitch_min_deg ≤ camera_pitch_max_deg: must lie in [-45, 45]"},
+      {is_between(camera_roll_min_deg, -45, 45) && is_between(camera_roll_max_deg, camera_roll_min_deg, 45),
+       "camera_roll_min_deg ≤ camera_roll_max_deg: must lie in [-45, 45]"},
       {is_between(lateral_m, 0, 2), "lateral_m: must lie in [0, 2]"},
       {is_between(heading_deg, 0, 45), "heading_deg: must lie in [0, 45]"},
       {is_between(lane_change_share, 0, 1), "lane_change_share: must lie in [0, 1]"},

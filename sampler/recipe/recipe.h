@@ -43,10 +43,13 @@ struct Recipe {
   PerSize views = 0;             ///< places per set, each seen by every camera of the rig
 
   // The car.
-  std::string rig;                 ///< rig file; empty: one camera, front
-  bool ego_bonnet = false;         ///< show the car's own bonnet, whose outline tells the H-FOV
-  double mount_error_deg = 1.0;    ///< standard deviation of each camera's drawn yaw, pitch and roll
-  double mount_error_m = 0.01;     ///< standard deviation of each camera's position along each axis
+  std::string rig;               ///< rig file; empty: one camera, front
+  bool ego_bonnet = false;       ///< show the car's own bonnet, whose outline tells the H-FOV
+  double mount_error_deg = 1.0;  ///< standard deviation of each camera's drawn yaw, pitch and roll
+  double mount_error_m = 0.01;   ///< standard deviation of each camera's position along each axis
+  /// Ranges of a turn of each camera, drawn for each place and added to its pose on the car: up, clockwise.
+  double camera_pitch_min_deg = 0, camera_pitch_max_deg = 0;
+  double camera_roll_min_deg = 0, camera_roll_max_deg = 0;
   double lateral_m = 0.25;         ///< standard deviation of the car's offset from the lane's centre line
   double heading_deg = 3.0;        ///< standard deviation of the car's heading off the lane's direction
   double lane_change_share = 0.1;  ///< among the places with a lane beside in the same direction

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 #include "sampler/recipe/lens_keys.h"
 #include "sampler/recipe/light_keys.h"
 #include "sampler/recipe/recipe.h"
+#include "sampler/recipe/recipe_values.h"
 
 namespace cps {
 
@@ -55,6 +59,14 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
         "standard deviation of each camera's errors in yaw, pitch and roll, degrees, 0 to 30");
   visit("mount_error_m", r.mount_error_m,
         "standard deviation of each camera's position error along each axis, metres, 0 to 0.5");
+  visit("camera_pitch_min_deg", r.camera_pitch_min_deg,
+        "least further pitch of each camera, drawn for each place, degrees upwards, -45 to 45");
+  visit("camera_pitch_max_deg", r.camera_pitch_max_deg,
+        "most further pitch of each camera, degrees upwards, camera_pitch_min_deg to 45");
+  visit("camera_roll_min_deg", r.camera_roll_min_deg,
+        "least further roll of each camera, drawn for each place, degrees clockwise, -45 to 45");
+  visit("camera_roll_max_deg", r.camera_roll_max_deg,
+        "most further roll of each camera, degrees clockwise, camera_roll_min_deg to 45");
   visit("lateral_m", r.lateral_m,
         "standard deviation of the car's offset from the lane's centre line, metres, 0 to 2");
   visit("heading_deg", r.heading_deg,
@@ -121,13 +133,22 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
         "semantic, rays, up, latitude; any of them");
 }
 
-/// The keys that describe a recipe in files, with their values: all but lens_model where that is
-/// brown_conrady, so that the files of such recipes stay what they were before there was this key.
+/// Keys that came later, with their defaults as text.
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> later_recipe_keys{
+    {{"camera_pitch_min_deg", "0"},
+     {"camera_pitch_max_deg", "0"},
+     {"camera_roll_min_deg", "0"},
+     {"camera_roll_max_deg", "0"},
+     {"lens_model", "brown_conrady"}}};
+
+/// The keys that describe a recipe in files, with their values: all but the later ones at their defaults, so
+/// that the files of such recipes, dataset.json and jobs, keep the bytes from before there were these keys.
 template <typename Visitor>
 void for_each_written_key(const Recipe& recipe, Visitor&& visit) {
   for_each_recipe_key(recipe, [&](const char* key, const auto& value, const char* help) {
-    if (recipe.is_brown_conrady() && std::string_view(key) == "lens_model") return;
-    visit(key, value, help);
+    using Later = std::pair<std::string_view, std::string_view>;
+    const auto later = std::ranges::find(later_recipe_keys, std::string_view(key), &Later::first);
+    if (later == later_recipe_keys.end() || later->second != value_text(value)) visit(key, value, help);
   });
 }
 

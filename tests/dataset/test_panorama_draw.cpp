@@ -133,3 +133,26 @@ TEST_CASE("what cannot be drawn from panoramas is refused by name") {
   CHECK_THROWS_WITH(draw_panorama_views({"coarse", 256}, {.family = "eucm", .views = 1, .size = {640, 480}}),
                     Catch::Contains("eucm") && Catch::Contains("640x480") && Catch::Contains("256 pixels"));
 }
+
+TEST_CASE("a drawn focal length is uniform where every lens fits and takes the place of the H-FOV") {
+  const PanoramaSetOptions options{
+      .family = "unified_spherical", .focal_px = {200, 400}, .views = 300, .size = {64, 64}, .seed = 3};
+  REQUIRE(options.fault() == "");
+  double sum = 0;
+  for (const PanoramaView& view : draw_panorama_views({"street", 4096}, options)) {
+    const Pinhole& pinhole = view.camera.pinhole;
+    const double focal_at_299_px = pinhole.fx * 299 / 64;
+    CHECK(pinhole.fx == pinhole.fy);
+    CHECK(pinhole.cx == 31.5);
+    CHECK((focal_at_299_px >= 200 - 1e-9 && focal_at_299_px <= 400 + 1e-9));
+    CHECK(std::get<UnifiedSpherical>(view.camera.lens).distortion == Distortion{});
+    CHECK(certify_frame(view.camera, warpable).valid);
+    sum += focal_at_299_px;
+  }
+  // Every ξ up to 1.2 is certified at these focal lengths: a mean of 300, within four standard deviations.
+  CHECK(std::abs(sum / 300 - 300) < 4 * 200 / std::sqrt(12.0 * 300));
+  CHECK_THAT((PanoramaSetOptions{.family = "eucm", .focal_px = {50, 500}}.fault()),
+             Catch::StartsWith("focal: needs"));
+  CHECK_THAT((PanoramaSetOptions{.family = "unified_spherical", .focal_px = {500, 50}}.fault()),
+             Catch::StartsWith("focal: must lie"));
+}

@@ -52,6 +52,8 @@ double street_brightness(const Eigen::Vector3d& ray, std::uint64_t place) {
   return brightness;
 }
 
+}  // namespace
+
 void write_png(const GrayImage& image, const std::filesystem::path& file) {
   auto out = OIIO::ImageOutput::create(file.string());
   const OIIO::ImageSpec spec(image.size.width, image.size.height, 1, OIIO::TypeDesc::UINT8);
@@ -61,29 +63,35 @@ void write_png(const GrayImage& image, const std::filesystem::path& file) {
   out->close();
 }
 
-}  // namespace
-
-GrayImage render_street(const CalibratedCamera& calibration, std::uint64_t place) {
-  const Pinhole& camera = calibration.pinhole;
-  const FrameCertificate frame = certify_frame(calibration.distortion, camera, comfortably_one_to_one);
+GrayImage render_street(const ImageSize& size,
+                        const std::function<Eigen::Vector3d(const Eigen::Vector2d& pixel)>& ray_at,
+                        std::uint64_t place) {
   const double yaw = .12 * (hash01(place, 5, 0, 0) - .5), pitch = .08 * (hash01(place, 5, 0, 1) - .5);
   const Eigen::Matrix3d heading =
       (Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitX()))
           .toRotationMatrix();
   const Stream noise = make_stream(place, "noise");
-  GrayImage image{{camera.width, camera.height}, {}};
-  for (int y = 0; y < camera.height; ++y)
-    for (int x = 0; x < camera.width; ++x) {
+  GrayImage image{size, {}};
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
       double sum = 0;
       for (int s = 0; s < 4; ++s) {
         const Eigen::Vector2d pixel(x - .25 + .5 * (s & 1), y - .25 + .5 * (s >> 1));
-        const auto ideal = undistort(calibration.distortion, frame.rectangle, to_plane(camera, pixel));
-        sum += street_brightness(heading * ideal.value().homogeneous(), place);
+        sum += street_brightness(heading * ray_at(pixel), place);
       }
       const double noisy = 255 * sum / 4 + 3 * random_normal(noise, image.pixels.size());
       image.pixels.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(noisy, 0.0, 255.0))));
     }
   return image;
+}
+
+GrayImage render_street(const CalibratedCamera& calibration, std::uint64_t place) {
+  const Pinhole& camera = calibration.pinhole;
+  const FrameCertificate frame = certify_frame(calibration.distortion, camera, comfortably_one_to_one);
+  const auto ray_at = [&](const Eigen::Vector2d& pixel) -> Eigen::Vector3d {
+    return undistort(calibration.distortion, frame.rectangle, to_plane(camera, pixel)).value().homogeneous();
+  };
+  return render_street({camera.width, camera.height}, ray_at, place);
 }
 
 CalibratedCamera draw_calibration(const ImageSize& size, double hfov_deg, std::uint64_t lens) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "dataset/labels/reader.h"
@@ -14,6 +16,14 @@ namespace cps {
 /// a straight street between two rows of houses, seen from a car by `camera`. `place` selects the street and
 /// the heading.
 GrayImage render_street(const CalibratedCamera& camera, std::uint64_t place);
+
+/// The same through any lens: `ray_at` gives the ray (camera frame, any length) behind a point of the image.
+GrayImage render_street(const ImageSize& size,
+                        const std::function<Eigen::Vector3d(const Eigen::Vector2d& pixel)>& ray_at,
+                        std::uint64_t place);
+
+/// Writes an 8-bit picture. Its folder must exist.
+void write_png(const GrayImage& image, const std::filesystem::path& file);
 
 /// H-FOV within 1° of `hfov_deg`; a lens drawn for its apparent strength, one-to-one in its frame, and a
 /// shifted principal point. lens 0: no distortion.

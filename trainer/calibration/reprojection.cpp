@@ -10,6 +10,16 @@
 
 namespace cps {
 
+std::vector<Eigen::Vector2d> pixel_grid(const Pinhole& camera, int columns) {
+  const int rows =
+      std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
+  std::vector<Eigen::Vector2d> pixels;
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c)
+      pixels.emplace_back((c + .5) / columns * camera.width - .5, (r + .5) / rows * camera.height - .5);
+  return pixels;
+}
+
 namespace {
 
 /// The grid points inside the largest certified rectangle similar to `shape`. Empty if they are less than
@@ -18,19 +28,16 @@ std::optional<RayGrid> shown_grid(const CalibratedCamera& truth, const Eigen::Al
                                   int columns, double min_share) {
   const Pinhole& camera = truth.pinhole;
   const FrameCertificate frame = certify_frame(truth.distortion, camera, shape, one_to_one);
-  const int rows =
-      std::max(2, static_cast<int>(std::lround(static_cast<double>(columns) * camera.height / camera.width)));
+  const std::vector<Eigen::Vector2d> pixels = pixel_grid(camera, columns);
   RayGrid grid;
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) {
-      const Eigen::Vector2d pixel((c + .5) / columns * camera.width - .5,
-                                  (r + .5) / rows * camera.height - .5);
-      const auto ideal = undistort(truth.distortion, frame.rectangle, to_plane(camera, pixel));
-      if (!ideal) continue;
-      grid.pixels.push_back(pixel);
-      grid.ideal.push_back(*ideal);
-    }
-  if (static_cast<int>(grid.pixels.size()) < (frame.valid() ? 1. : min_share) * rows * columns)
+  for (const Eigen::Vector2d& pixel : pixels) {
+    const auto ideal = undistort(truth.distortion, frame.rectangle, to_plane(camera, pixel));
+    if (!ideal) continue;
+    grid.pixels.push_back(pixel);
+    grid.ideal.push_back(*ideal);
+  }
+  if (static_cast<double>(grid.pixels.size()) <
+      (frame.valid() ? 1. : min_share) * static_cast<double>(pixels.size()))
     return std::nullopt;
   return grid;
 }

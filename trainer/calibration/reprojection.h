@@ -16,7 +16,10 @@ struct RayGrid {
   std::vector<Eigen::Vector2d> pixels, ideal;
 };
 
-/// About `columns` × columns·H/W points at the centres of equal cells: all of them if the lens is one-to-one
+/// About `columns` × columns·H/W pixels at the centres of equal cells of the frame, row by row.
+std::vector<Eigen::Vector2d> pixel_grid(const Pinhole& camera, int columns);
+
+/// The points of pixel_grid(): all of them if the lens is one-to-one
 /// in its whole frame. Otherwise those inside the largest certified rectangle (the lens of KITTI's camera 03
 /// folds just beyond its corners); empty if that is less than nine tenths of the grid, because then too many
 /// pixels show no single point. Rectangles are similar to `shape`, see certify_frame(). For a drawn lens that

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "numbers/angles.h"
 #include "trainer/evaluation/bootstrap.h"
+#include "trainer/evaluation/predicted_cameras.h"
+#include "trainer/evaluation/read_pictures.h"
 #include "trainer/images/network_image.h"
 #include "trainer/images/orientation/measure.h"
 
@@ -21,36 +23,15 @@ namespace {
 /// `skipped`, or are an error.
 std::vector<NetworkImage> read_images(EvaluationSet& set, const TrainOptions& options, bool skip_bad,
                                       std::vector<std::string>& skipped) {
-  std::vector<std::optional<NetworkImage>> read(set.images.size());
-  std::vector<std::string> failures(set.images.size());
-  tbb::parallel_for(std::size_t{0}, set.images.size(), [&](std::size_t i) {
-    try {
-      const EvaluationImage& image = set.images[i];
-      const GrayImage gray = read_gray_image(image.file);
-      const Pinhole& camera = image.truth.pinhole;
-      if (gray.size != ImageSize{camera.width, camera.height})
-        throw std::runtime_error(image.file.string() + ": is " + std::to_string(gray.size.width) + "x" +
-                                 std::to_string(gray.size.height) + ", but its calibration is of " +
-                                 std::to_string(camera.width) + "x" + std::to_string(camera.height) +
-                                 " pixels");
-      read[i] = network_image(gray, options.reduction, options.orientation);
-    } catch (const std::exception& error) {
-      failures[i] = error.what();
-    }
-  });
+  std::vector<SizedPicture> pictures;
+  for (const EvaluationImage& image : set.images)
+    pictures.push_back({image.file, {image.truth.pinhole.width, image.truth.pinhole.height}});
+  ReadPictures read = read_pictures(pictures, options, skip_bad);
+  skipped = std::move(read.skipped);
   EvaluationSet kept{.name = set.name, .images = {}};
-  std::vector<NetworkImage> images;
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    if (!read[i] && !skip_bad) throw std::runtime_error(failures[i]);
-    if (!read[i]) {
-      skipped.push_back(failures[i]);
-      continue;
-    }
-    kept.images.push_back(set.images[i]);
-    images.push_back(std::move(*read[i]));
-  }
+  for (int i : read.kept) kept.images.push_back(set.images[i]);
   set = std::move(kept);
-  return images;
+  return std::move(read.images);
 }
 
 Outputs centred_without_distortion(double fov, const Pinhole& camera) {
@@ -117,6 +98,20 @@ Headline headline(const std::vector<EvaluatedImage>& images, std::span<const int
   return {estimate(0), estimate(1), estimate(2), estimate(3), estimate(4), estimate(5), estimate(6)};
 }
 
+RayComparison ray_comparison(const Predictor& predictor, const std::vector<EvaluatedImage>& images,
+                             const EvaluationOptions& options) {
+  std::vector<RayErrors> network(images.size()), mean(images.size());
+  std::vector<int> clusters;
+  tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
+    const EvaluationImage& image = images[i].image;
+    const ImageSize size{image.truth.pinhole.width, image.truth.pinhole.height};
+    network[i] = ray_errors(*image.ray_truth, predicted_camera(images[i].predicted, TargetSpace::raw, size));
+    mean[i] = ray_errors(*image.ray_truth, training_mean_camera(predictor.card(), size));
+  });
+  for (const EvaluatedImage& image : images) clusters.push_back(image.image.cluster);
+  return compare_rays(network, mean, clusters, options.resamples, options.seed);
+}
+
 std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
   std::map<std::pair<int, std::string>, std::vector<int>> members;  // kind, name
   for (int i = 0; i < static_cast<int>(images.size()); ++i) {
@@ -156,6 +151,7 @@ Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
   result.training_mean = summary_of(result.images, all, &EvaluatedImage::training_mean);
   result.centre = summary_of(result.images, all, &EvaluatedImage::centre);
   result.headline = headline(result.images, all, options);
+  result.rays = ray_comparison(predictor, result.images, options);
   result.bins = bins_of(result.images);
   if (options.robustness) {
     const auto picture = [&](std::size_t i) {

@@ -8,6 +8,7 @@
 #include "numbers/interval.h"
 #include "trainer/evaluation/evaluation_set.h"
 #include "trainer/evaluation/lens_errors.h"
+#include "trainer/evaluation/ray_comparison.h"
 #include "trainer/evaluation/robustness.h"
 #include "trainer/model/predictor.h"
 
@@ -60,6 +61,7 @@ struct Evaluation {
       training_mean;  ///< always predicts the mean of the training targets, in the model's target space
   LensErrors centre;  ///< predicts a centred principal point, no distortion, the training set's mean H-FOV
   Headline headline;
+  RayComparison rays;  ///< the numbers that compare lens families
   std::vector<EvaluationBin> bins;
   std::vector<RobustnessRow> robustness;  ///< empty unless requested
   std::vector<EvaluatedImage> images;
@@ -75,8 +77,8 @@ nlohmann::ordered_json to_json(const Evaluation& evaluation);
 /// One self-contained HTML page with the tables, plots and the worst images.
 std::string to_html(const Evaluation& evaluation);
 
-/// Runs the predictor on the set and measures its errors. Throws std::runtime_error with one line if an image
-/// is bad (unless bad images are skipped) or none is left.
+/// Runs the predictor, whose head must be brown_conrady, on the set and measures its errors. Throws
+/// std::runtime_error with one line if an image is bad (unless bad images are skipped) or none is left.
 Evaluation evaluate(const Predictor& predictor, const EvaluationSet& set,
                     const EvaluationOptions& options = {});
 

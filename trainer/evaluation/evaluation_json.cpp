@@ -89,6 +89,7 @@ Json to_json(const Evaluation& evaluation) {
                                   {"loss", row.loss},
                                   {"hfov_mean_deg", row.hfov_mean_deg},
                                   {"reprojection_mean_px", row.reprojection_mean_px}});
+  json["rays"] = to_json(evaluation.rays);
   json["images"] = Json::array();
   for (const EvaluatedImage& image : evaluation.images) json["images"].push_back(to_json(image));
   return json;

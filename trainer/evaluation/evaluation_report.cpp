@@ -101,7 +101,7 @@ std::string Evaluation::report() const {
   text += output_rows("MSE", columns, &LensErrors::raw_mse, 0, output_count, "");
   text += output_rows("RMSE", columns, &LensErrors::raw_rmse, 0, output_count, "");
   text += output_rows("MAE", columns, &LensErrors::apparent_mae, 1, 6, " apparent");
-  text += bin_rows(bins) + robustness_rows(robustness) + headline_rows(headline);
+  text += cps::report(rays) + bin_rows(bins) + robustness_rows(robustness) + headline_rows(headline);
   return text +
          fmt::format("H-FOV error {:.0f} % {} the training mean's; reprojection error {:.0f} % {}\n",
                      100 * std::abs(1 - network.hfov_mean_deg / training_mean.hfov_mean_deg),

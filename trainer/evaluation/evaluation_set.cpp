@@ -17,24 +17,46 @@ std::shared_ptr<const RayGrid> shared(std::optional<RayGrid> rays, const std::st
   return std::make_shared<const RayGrid>(std::move(*rays));
 }
 
+/// What all images of one place have in common, and no others of the dataset.
+std::string place_of(const DatasetGroup& group, const fs::path& image) {
+  const fs::path set = group.folder.parent_path();
+  if (set.string().ends_with("_panoramas")) return (set / group.label.rig_camera).string();
+  return (set / image.filename()).string();
+}
+
 }  // namespace
+
+std::vector<int> place_clusters(const Dataset& dataset, std::span<const int> images) {
+  std::map<std::string, int> places;
+  std::vector<int> clusters;
+  for (int i : images) {
+    const DatasetImage& image = dataset.images[i];
+    const std::string place = place_of(dataset.groups[image.group], image.file);
+    clusters.push_back(places.try_emplace(place, static_cast<int>(places.size())).first->second);
+  }
+  return clusters;
+}
 
 EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
   EvaluationSet set{.name = to_string(part) + " images of " + dataset.root.string(), .images = {}};
-  std::map<int, std::shared_ptr<const RayGrid>> rays;  // by group
-  std::map<std::string, int> places;                   // <set folder>/<file name>
-  for (int i : images_of(dataset, part)) {
-    const DatasetImage& image = dataset.images[i];
+  struct Rays {
+    std::shared_ptr<const RayGrid> grid;
+    std::shared_ptr<const RayTruth> truth;
+  };
+  std::map<int, Rays> of_group;
+  const std::vector<int> images = images_of(dataset, part), clusters = place_clusters(dataset, images);
+  for (std::size_t k = 0; k < images.size(); ++k) {
+    const DatasetImage& image = dataset.images[images[k]];
     const DatasetGroup& group = dataset.groups[image.group];
     const CalibratedCamera truth{group.label.rig_camera, group.label.camera, group.label.distortion};
-    auto& grid = rays[image.group];
-    if (!grid)
-      grid = shared(ray_grid(truth, frame_on_plane(base_of(group.label))),
-                    (dataset.root / group.folder / "calibration.json").string());
-    const std::string place = (group.folder.parent_path() / image.file.filename()).string();
-    const int cluster = places.try_emplace(place, static_cast<int>(places.size())).first->second;
-    set.images.push_back(
-        {dataset.root / image.file, image.file.string(), group.label.rig_camera, truth, grid, cluster});
+    Rays& rays = of_group[image.group];
+    if (!rays.grid) {
+      const Eigen::AlignedBox2d shape = frame_on_plane(base_of(group.label));
+      rays.grid = shared(ray_grid(truth, shape), (dataset.root / group.folder / "calibration.json").string());
+      rays.truth = ray_truth(truth, *rays.grid, shape);
+    }
+    set.images.push_back({dataset.root / image.file, image.file.string(), group.label.rig_camera, truth,
+                          rays.grid, clusters[k], rays.truth});
   }
   if (set.images.empty())
     throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
@@ -46,9 +68,10 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
   EvaluationSet set{.name = "KITTI raw frames of " + folder.string(), .images = {}};
   for (const CameraPictures& pictures : kitti_raw(folder)) {
     const auto rays = shared(ray_grid(pictures.camera), folder.string() + ": camera " + pictures.camera.name);
+    const auto truth = ray_truth(pictures.camera, *rays, frame_on_plane(pictures.camera.pinhole));
     for (const fs::path& file : pictures.files)
       set.images.push_back({file, file.lexically_relative(folder).string(), "KITTI " + pictures.camera.name,
-                            pictures.camera, rays, static_cast<int>(set.images.size())});
+                            pictures.camera, rays, static_cast<int>(set.images.size()), truth});
   }
   return set;
 }
@@ -56,9 +79,10 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
 EvaluationSet picture_evaluation_set(const fs::path& folder, const CalibratedCamera& camera) {
   EvaluationSet set{.name = "pictures in " + folder.string(), .images = {}};
   const auto rays = shared(ray_grid(camera), "camera " + camera.name);
+  const auto truth = ray_truth(camera, *rays, frame_on_plane(camera.pinhole));
   for (const fs::path& file : pictures_in(folder))
-    set.images.push_back(
-        {file, file.filename().string(), camera.name, camera, rays, static_cast<int>(set.images.size())});
+    set.images.push_back({file, file.filename().string(), camera.name, camera, rays,
+                          static_cast<int>(set.images.size()), truth});
   return set;
 }
 

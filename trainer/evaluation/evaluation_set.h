@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dataset/labels/reader.h"
 #include "distortion/calibrated_camera.h"
+#include "trainer/calibration/ray_truth.h"
 #include "trainer/calibration/reprojection.h"
 
 namespace cps {
@@ -19,6 +21,7 @@ struct EvaluationImage {
   CalibratedCamera truth;
   std::shared_ptr<const RayGrid> rays;  ///< of the truth
   int cluster = 0;                      ///< equal for images of one place: see bootstrap_intervals()
+  std::shared_ptr<const RayTruth> ray_truth = {};
 };
 
 /// Pictures to measure a network on.
@@ -27,8 +30,12 @@ struct EvaluationSet {
   std::vector<EvaluationImage> images;
 };
 
-/// One part of a CPS dataset. Images with the same number in the same set folder show one place and form a
-/// cluster. Throws std::runtime_error with one line if the part is empty or a label's lens is not one-to-one.
+/// The cluster of each of the dataset's images, counted from 0: images with the same number in the same set
+/// folder show one place and form a cluster. All images of a panorama (cps relens --panorama) form one, too.
+std::vector<int> place_clusters(const Dataset& dataset, std::span<const int> images);
+
+/// One part of a CPS dataset, with place_clusters(). Throws std::runtime_error with one line if the part is
+/// empty or a label's lens is not one-to-one.
 EvaluationSet evaluation_set(const Dataset& dataset, Part part);
 
 /// The frames that kitti_raw() finds in a folder. Every frame is a cluster of its own.

@@ -6,7 +6,8 @@ NetworkOptions network_options(const TrainOptions& options) {
   return {.dropout = options.dropout,
           .size_features = options.size_features,
           .edge_channel = options.edge_channel,
-          .orientation = options.orientation.measured};
+          .orientation = options.orientation.measured,
+          .outputs = unit_count(options.head)};
 }
 
 std::shared_ptr<Network> make_network(const TrainOptions& options) {

@@ -38,6 +38,28 @@ OrientationStatistics orientation_statistics_from_json(const nlohmann::json& jso
   return statistics;
 }
 
+nlohmann::ordered_json outputs_json(const ModelCard& card) {
+  if (!is_deepcalib(card.options.head))
+    return {{"names", output_names}, {"mean", card.targets.mean}, {"deviation", card.targets.deviation}};
+  const auto pair = [](const SphereTarget& target) { return std::array{target.focal, target.xi}; };
+  return {{"names", sphere_output_names},
+          {"mean", pair(card.spheres.mean)},
+          {"deviation", pair(card.spheres.deviation)}};
+}
+
+void read_outputs(const nlohmann::json& json, ModelCard& card) {
+  if (!is_deepcalib(card.options.head)) {
+    json.at("mean").get_to(card.targets.mean);
+    json.at("deviation").get_to(card.targets.deviation);
+    return;
+  }
+  const auto pair = [&](const char* key) {
+    const auto numbers = json.at(key).get<std::array<double, 2>>();
+    return SphereTarget{numbers[0], numbers[1]};
+  };
+  card.spheres = {pair("mean"), pair("deviation")};
+}
+
 }  // namespace
 
 void save_model_card(const ModelCard& card, const std::filesystem::path& model_folder) {
@@ -46,8 +68,7 @@ void save_model_card(const ModelCard& card, const std::filesystem::path& model_f
       {"options", to_json(card.options)},
       {"input",
        {{"channels", "gray"}, {"pixel_mean", card.pixels.mean}, {"pixel_deviation", card.pixels.deviation}}},
-      {"outputs",
-       {{"names", output_names}, {"mean", card.targets.mean}, {"deviation", card.targets.deviation}}},
+      {"outputs", outputs_json(card)},
       {"dataset",
        {{"folder", card.dataset},
         {"hash", card.dataset_hash},
@@ -73,8 +94,7 @@ ModelCard load_model_card(const std::filesystem::path& model_folder) {
     json.at("input").at("pixel_deviation").get_to(card.pixels.deviation);
     if (card.options.orientation.measured)
       card.orientation = orientation_statistics_from_json(json.at("input").at("orientation"));
-    json.at("outputs").at("mean").get_to(card.targets.mean);
-    json.at("outputs").at("deviation").get_to(card.targets.deviation);
+    read_outputs(json.at("outputs"), card);
     json.at("dataset").at("folder").get_to(card.dataset);
     json.at("dataset").at("hash").get_to(card.dataset_hash);
     json.at("dataset").at("training_images").get_to(card.training_images);

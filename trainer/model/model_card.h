@@ -4,6 +4,7 @@
 #include <string>
 
 #include "trainer/calibration/targets.h"
+#include "trainer/deepcalib/sphere_target.h"
 #include "trainer/images/orientation/orientation_statistics.h"
 #include "trainer/images/pixel_statistics.h"
 #include "trainer/model/train_options.h"
@@ -18,7 +19,8 @@ struct ModelCard {
   TrainOptions options;  ///< as trained, with architecture, input size and target space
   PixelStatistics pixels;
   OrientationStatistics orientation{};  ///< zeros without orientation
-  Standardisation targets;              ///< in options.target_space
+  Standardisation targets;              ///< of a brown_conrady head, in options.target_space
+  SphereStatistics spheres{};           ///< of a DeepCalib head
   std::string dataset;                  ///< folder of the training data
   std::string dataset_hash;             ///< dataset_fingerprint() of it
   int training_images = 0, validation_images = 0;

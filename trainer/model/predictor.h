@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "trainer/deepcalib/sphere_target.h"
 #include "trainer/images/batches.h"
 #include "trainer/model/model_card.h"
 #include "trainer/network/device.h"
@@ -25,7 +26,11 @@ class Predictor {
 
   /// Runs the network on the images. Returns its outputs for each, in order, in the model's target space and
   /// natural units. The images must be those of network_image() with card().options; their sizes may differ.
+  /// Throws std::runtime_error with one line for a DeepCalib head.
   std::vector<Outputs> operator()(std::span<const BatchImage> images) const;
+
+  /// The same for a network with a DeepCalib head. Throws std::runtime_error with one line for another.
+  std::vector<SphereTarget> spheres(std::span<const BatchImage> images) const;
 
  private:
   ModelCard card_;

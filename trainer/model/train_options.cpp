@@ -31,6 +31,7 @@ void for_each_key(O& o, Visit visit) {
   visit("size_features", o.size_features);
   visit("edge_channel", o.edge_channel);
   visit("orientation", o.orientation);
+  visit("head", o.head);
   visit("target_space", o.target_space);
   visit("outputs", o.outputs);
   visit("loss", o.loss);
@@ -63,7 +64,7 @@ void for_each_key(O& o, Visit visit) {
 
 /// Options added later: older models lack them.
 constexpr std::array later_keys{"online_lenses", "online_zoom",    "edge_channel", "orientation",
-                                "teacher",       "teacher_weight", "precision"};
+                                "teacher",       "teacher_weight", "precision",    "head"};
 
 /// An option as JSON: enumerations by name, the augmentation as an object of its own.
 template <typename T>
@@ -71,6 +72,9 @@ nlohmann::ordered_json json_value(const T& value) {
   return value;
 }
 nlohmann::ordered_json json_value(Loss value) {
+  return to_string(value);
+}
+nlohmann::ordered_json json_value(Head value) {
   return to_string(value);
 }
 nlohmann::ordered_json json_value(TargetSpace value) {
@@ -95,6 +99,9 @@ void set_value(const nlohmann::json& json, T& value) {
 void set_value(const nlohmann::json& json, Loss& value) {
   value = loss_from_string(json.get<std::string>());
 }
+void set_value(const nlohmann::json& json, Head& value) {
+  value = head_from_string(json.get<std::string>());
+}
 void set_value(const nlohmann::json& json, TargetSpace& value) {
   value = target_space_from_string(json.get<std::string>());
 }
@@ -107,6 +114,17 @@ void set_value(const nlohmann::json& json, OrientationOptions& orientation) {
 }
 void set_value(const nlohmann::json& json, Augmentation& augmentation) {
   for_each_augmentation_key(augmentation, [&](const char* key, auto& value) { json.at(key).get_to(value); });
+}
+
+/// What has no meaning for a DeepCalib head.
+std::string deepcalib_fault(const TrainOptions& o) {
+  const std::string head = "the head " + to_string(o.head);
+  if (o.outputs.size() != output_names.size())
+    return "outputs: " + head + " learns focal and xi: leave it out";
+  if (o.loss != Loss::mse) return "loss: " + head + " has its own: leave it out";
+  if (o.online_lenses) return "online-lenses: draws Brown-Conrady lenses, which " + head + " does not learn";
+  if (!o.teacher.empty()) return "teacher: " + head + " cannot learn from one";
+  return "";
 }
 
 }  // namespace
@@ -133,6 +151,8 @@ std::string TrainOptions::fault() const {
       return "outputs: '" + name + "' is none of fov k1 k2 k3 p1 p2 cx cy";
   if (loss == Loss::reprojection && outputs.size() != output_names.size())
     return "loss: reprojection needs all eight outputs";
+  if (is_deepcalib(head))
+    if (const std::string fault = deepcalib_fault(*this); !fault.empty()) return fault;
   if (reduction.factor < 0) return "reduce: must not be negative";
   if (reduction.factor == 0 && reduction.width < 32) return "width: must be at least 32 pixels";
   if (epochs < 1) return "epochs: must be at least 1";
@@ -162,7 +182,8 @@ nlohmann::ordered_json to_json(const TrainOptions& options) {
   for_each_key(options, [&](const char* key, const auto& value) {
     const bool is_left_out =
         (key == std::string_view("orientation") && !options.orientation.measured) ||
-        (key == std::string_view("precision") && options.precision == Precision::float32);
+        (key == std::string_view("precision") && options.precision == Precision::float32) ||
+        (key == std::string_view("head") && options.head == Head::brown_conrady);
     if (!is_left_out) json[key] = json_value(value);
   });
   return json;

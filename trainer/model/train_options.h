@@ -9,6 +9,7 @@
 #include "trainer/images/augmentation.h"
 #include "trainer/images/gray_image.h"
 #include "trainer/images/orientation/orientation.h"
+#include "trainer/model/head.h"
 #include "trainer/network/precision.h"
 
 namespace cps {
@@ -27,10 +28,11 @@ Loss loss_from_string(const std::string& word);
 /// How to train a network, and which.
 struct TrainOptions {
   std::string architecture = "resnet18";
-  std::string initial_weights;     ///< a file for start_from(); empty: random weights
-  bool size_features = true;       ///< give the network the size of the original image
-  bool edge_channel = false;       ///< give the network each image's Sobel edges as a second channel
-  OrientationOptions orientation;  ///< give the network the orientation of edges at the image's own size
+  std::string initial_weights;      ///< a file for start_from(); empty: random weights
+  bool size_features = true;        ///< give the network the size of the original image
+  bool edge_channel = false;        ///< give the network each image's Sobel edges as a second channel
+  OrientationOptions orientation;   ///< give the network the orientation of edges at the image's own size
+  Head head = Head::brown_conrady;  ///< the DeepCalib ones have targets and a loss of their own
   TargetSpace target_space = TargetSpace::apparent;
   /// The learned outputs, from output_names; the others stay at their training mean.
   std::vector<std::string> outputs{output_names.begin(), output_names.end()};
@@ -67,8 +69,9 @@ struct TrainOptions {
   bool operator==(const TrainOptions&) const = default;
 };
 
-/// Every option under its name in model.json; the orientation only where it is measured, and the precision
-/// only where it is not float32, so that the cards of networks without them stay as they were.
+/// Every option under its name in model.json; the orientation only where it is measured, the precision only
+/// where it is not float32, and the head only where it is not brown_conrady, so that the cards of networks
+/// without them stay as they were.
 nlohmann::ordered_json to_json(const TrainOptions& options);
 
 /// Reads what to_json() wrote. Throws nlohmann::json::exception on a missing key or wrong type. Options that

@@ -54,6 +54,17 @@ std::vector<TrainPreset> thesis_presets() {
   return presets;
 }
 
+/// The method of Bogdan et al. 2018 on the network and schedule of `reference`, so that only the method
+/// differs. It sees nothing but the picture.
+TrainOptions deepcalib_options(Head head) {
+  TrainOptions o = reference_options();
+  o.head = head;
+  o.reduction.width = 299;
+  o.orientation.measured = false;
+  o.size_features = false;
+  return o;
+}
+
 }  // namespace
 
 std::span<const TrainPreset> train_presets() {
@@ -62,6 +73,10 @@ std::span<const TrainPreset> train_presets() {
         {"demo", "some two hundred images in three minutes of two cores", {.epochs = 30, .minutes = 3}},
         {"smoke", "some thousand images in eighteen minutes of two cores", {.epochs = 36, .minutes = 18}}};
     all.push_back({"reference", "some ten thousand images in an hour of two cores", reference_options()});
+    all.push_back({"deepcalib-regression", "unified_spherical data: focal length and xi as two numbers",
+                   deepcalib_options(Head::deepcalib_regression)});
+    all.push_back({"deepcalib-classification", "unified_spherical data: focal length and xi as two bins",
+                   deepcalib_options(Head::deepcalib_classification)});
     for (TrainPreset& preset : thesis_presets()) all.push_back(std::move(preset));
     return all;
   }();

@@ -95,7 +95,7 @@ struct ResNet final : Network {
   ResNet(const Architecture& architecture, const NetworkOptions& options)
       : conv1(convolution(options.edge_channel ? 2 : 1, architecture.width, 7, 2)),
         bn1(architecture.width),
-        fc(8 * architecture.width * Block::expansion + number_count(options), output_count),
+        fc(8 * architecture.width * Block::expansion + number_count(options), options.outputs),
         max_pool(architecture.max_pool),
         options(options) {
     register_module("conv1", conv1);

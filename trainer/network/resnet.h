@@ -11,7 +11,7 @@
 
 namespace cps {
 
-/// A network that predicts eight numbers for each gray image.
+/// A network that predicts some numbers for each gray image.
 struct Network : torch::nn::Module {
   /// Of the convolutions in training mode. In evaluation mode all is float32, whatever the network was
   /// trained in, so that a model predicts the same everywhere.
@@ -19,7 +19,7 @@ struct Network : torch::nn::Module {
 
   /// images: [n, 1, h, w], normalised. sizes: [n, 2], height/2160 and width/3840 of the *original* images,
   /// which distinguish a reduced image from a small one. orientation: for a network that takes it, else
-  /// ignored. Returns [n, 8] float32, standardised outputs.
+  /// ignored. Returns [n, outputs] float32: with a brown_conrady head, standardised outputs.
   virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes,
                                 const OrientationTensors& orientation = {}) = 0;
 
@@ -34,13 +34,14 @@ struct NetworkOptions {
   /// Take the orientation of edges: its planes, through a convolution of their own, are added to the result
   /// of the first one, and its numbers are appended to the pooled features.
   bool orientation = false;
+  int outputs = 8;  ///< of the last layer: unit_count() of the head
 };
 
 /// Builds a deep residual network (He, Zhang, Ren, Sun 2016; with the stride on the 3×3 convolution of a
 /// bottleneck, as in torchvision) for one gray channel (and its edges), with one last layer `fc`. Parameters
 /// and buffers have torchvision's names; the convolution of the orientation is `orientation`. Initial weights
 /// come from torch's global generator: seed it first. `fc` starts at zero, so an untrained network predicts
-/// the training mean.
+/// the training mean, or, with a DeepCalib head, the middle of both intervals.
 std::shared_ptr<Network> make_resnet(const Architecture& architecture, const NetworkOptions& options);
 
 }  // namespace cps

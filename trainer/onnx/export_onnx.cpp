@@ -1,5 +1,7 @@
 #include "trainer/onnx/export_onnx.h"
 
+#include <stdexcept>
+
 #include "dataset/labels/group_label.h"
 #include "files/files.h"
 #include "trainer/model/make_network.h"
@@ -40,6 +42,9 @@ OnnxGraph graph_of(const Network& network, const ModelCard& card) {
 
 void write_onnx(const std::filesystem::path& model_folder, const std::filesystem::path& file) {
   const Predictor predictor(model_folder);
+  if (const Head head = predictor.card().options.head; is_deepcalib(head))
+    throw std::runtime_error((model_folder / "model.json").string() + ": head: is " + to_string(head) +
+                             ": only networks of Brown-Conrady lenses can be exported");
   const std::string generator = generator_name();  // program and version
   const std::size_t space = generator.find(' ');
   const OnnxModel model{

@@ -9,8 +9,8 @@ inline constexpr const char* onnx_file_name = "model.onnx";
 
 /// Writes the trained network of a model folder as an ONNX file (docs/formats.md). It maps gray images to
 /// labels; training's normalisation of both is part of it. By atomic rename. The same weights and model card
-/// give the same bytes. Throws std::runtime_error with one line if the folder holds no complete model, or the
-/// file cannot be written.
+/// give the same bytes. Throws std::runtime_error with one line if the folder holds no complete model, or one
+/// with a DeepCalib head, or the file cannot be written.
 void write_onnx(const std::filesystem::path& model_folder, const std::filesystem::path& file);
 
 }  // namespace cps

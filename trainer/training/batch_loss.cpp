@@ -1,5 +1,6 @@
 #include "trainer/training/batch_loss.h"
 
+#include "trainer/deepcalib/sphere_head.h"
 #include "trainer/training/losses.h"
 
 namespace cps {
@@ -32,6 +33,7 @@ RayBatch ray_batch(const BatchTruth& truth) {
 
 torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth, const ModelCard& card) {
   const TrainOptions& options = card.options;
+  if (is_deepcalib(options.head)) return sphere_loss(options.head, predicted, truth.spheres);
   if (options.loss == Loss::reprojection)
     return reprojection_loss(predicted, ray_batch(truth), options.target_space, card.targets);
   return output_loss(options.loss, predicted, target_tensor(truth, card.targets), output_mask(options));

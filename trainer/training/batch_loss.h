@@ -15,9 +15,11 @@ struct BatchTruth {
   ImageSize size;                                    ///< before reduction
   std::vector<Outputs> targets;                      ///< not standardised
   std::vector<std::shared_ptr<const RayGrid>> rays;  ///< for the reprojection loss only
+  std::vector<SphereTarget> spheres = {};            ///< of a DeepCalib head, which does not use `targets`
 };
 
-/// The training loss of a batch, as card.options define it. `predicted`: [n, 8], standardised.
+/// The training loss of a batch, as card.options define it. `predicted`: the last layer's outputs, [n,
+/// unit_count(head)]; of a brown_conrady head they are standardised.
 torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth, const ModelCard& card);
 
 }  // namespace cps

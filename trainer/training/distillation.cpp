@@ -12,6 +12,9 @@ std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Devic
   if (student.teacher.empty()) return nullptr;
   auto teacher = std::make_unique<const Predictor>(student.teacher, device);
   const TrainOptions& its = teacher->card().options;
+  if (its.head != student.head)
+    throw std::runtime_error("teacher " + student.teacher + ": its head is " + to_string(its.head) +
+                             ", so it has learned lenses of another family: choose another teacher");
   if (its.reduction != student.reduction)
     throw std::runtime_error("teacher " + student.teacher +
                              ": takes images of another size: train with its width and reduce");

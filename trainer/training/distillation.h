@@ -14,9 +14,9 @@ namespace cps {
 class Predictor;
 
 /// Loads the trained network from the folder student.teacher; null if that is empty. Throws
-/// std::runtime_error with one line if the folder holds no model, or one that takes images of another size,
-/// or orientation that the student does not take, or that has not learned all outputs that the student
-/// learns.
+/// std::runtime_error with one line if the folder holds no model, or one with another head, or one that takes
+/// images of another size, or orientation that the student does not take, or that has not learned all outputs
+/// that the student learns.
 std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Device device = Device::cpu);
 
 /// Mean squared difference between the student's predictions ([n, 8], standardised) and the teacher's for the

@@ -10,6 +10,7 @@
 #include "numbers/angles.h"
 #include "numbers/wall_time.h"
 #include "random/counter_hash.h"
+#include "trainer/deepcalib/sphere_head.h"
 #include "trainer/images/batches.h"
 #include "trainer/network/inference.h"
 #include "trainer/training/batch_loader.h"
@@ -24,6 +25,7 @@ BatchTruth truth_of(const std::vector<ShownImage>& shown) {
   BatchTruth truth{.size = shown.front().original, .targets = {}, .rays = {}};
   for (const ShownImage& image : shown) {
     truth.targets.push_back(image.target);
+    truth.spheres.push_back(image.sphere);
     if (image.rays) truth.rays.push_back(image.rays);
   }
   return truth;
@@ -32,7 +34,8 @@ BatchTruth truth_of(const std::vector<ShownImage>& shown) {
 BatchTruth truth_of(const Samples& samples, const Batch& batch) {
   BatchTruth truth{.size = samples.cache.originals[batch.front()], .targets = {}, .rays = {}};
   for (int i : batch) {
-    truth.targets.push_back(samples.targets[i]);
+    if (!samples.targets.empty()) truth.targets.push_back(samples.targets[i]);
+    if (!samples.spheres.empty()) truth.spheres.push_back(samples.spheres[i]);
     if (!samples.rays.empty()) truth.rays.push_back(samples.rays[i]);
   }
   return truth;
@@ -56,12 +59,40 @@ std::vector<int> learned_outputs(const TrainOptions& options) {
   return learned;
 }
 
-torch::Tensor tensor_of(const std::vector<Outputs>& outputs, const Batch& batch) {
-  torch::Tensor tensor = torch::empty({static_cast<long>(batch.size()), output_count});
-  float* out = tensor.data_ptr<float>();
-  for (int i : batch)
-    for (double v : outputs[i]) *out++ = static_cast<float>(v);
-  return tensor;
+/// Mean cosine similarity and H-FOV error of the outputs of a brown_conrady head, [images, 8].
+void judge_outputs(const torch::Tensor& rows, const Samples& samples, const ModelCard& card,
+                   EpochReport& report) {
+  const auto numbers = rows.accessor<float, 2>();
+  const double n = static_cast<double>(samples.targets.size());
+  const std::vector<int> learned = learned_outputs(card.options);
+  for (std::size_t i = 0; i < samples.targets.size(); ++i) {
+    const Outputs truth = standardise(samples.targets[i], card.targets);
+    Outputs predicted;
+    for (int k = 0; k < output_count; ++k) predicted[k] = numbers[static_cast<long>(i)][k];
+    report.validation_cosine += cosine_similarity(predicted, truth, learned) / n;
+    report.validation_hfov_mae_deg +=
+        degrees(std::abs(predicted[0] - truth[0]) * card.targets.deviation[0]) / n;
+  }
+}
+
+/// The same of the outputs of a DeepCalib head: the similarity of deviations from the training mean, and the
+/// error of the H-FOV that is seen.
+void judge_spheres(const torch::Tensor& rows, const Samples& samples, const ModelCard& card,
+                   EpochReport& report) {
+  const std::vector<SphereTarget> predicted = sphere_targets(card.options.head, rows);
+  const double n = static_cast<double>(predicted.size());
+  const auto standardised = [&](const SphereTarget& target) {
+    const auto& [mean, deviation] = card.spheres;
+    return Outputs{(target.focal - mean.focal) / deviation.focal, (target.xi - mean.xi) / deviation.xi};
+  };
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const SphereTarget& truth = samples.spheres[i];
+    report.validation_cosine +=
+        cosine_similarity(standardised(predicted[i]), standardised(truth), {0, 1}) / n;
+    const int width = samples.cache.originals[i].width;
+    report.validation_hfov_mae_deg +=
+        degrees(std::abs(seen_hfov_rad(predicted[i], width) - seen_hfov_rad(truth, width))) / n;
+  }
 }
 
 }  // namespace
@@ -125,22 +156,21 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
 
 void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
   std::vector<BatchImage> images;
-  for (std::size_t i = 0; i < samples.targets.size(); ++i)
+  for (std::size_t i = 0; i < samples.cache.images.size(); ++i)
     images.push_back(
         {samples.cache.images[i], samples.cache.originals[i], false, samples.cache.orientations[i]});
-  const std::vector<Outputs> predicted = run_network(network, images, card);
-  const double n = static_cast<double>(predicted.size());
-  for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size))
-    report.validation_loss +=
-        batch_loss(tensor_of(predicted, batch), truth_of(samples, batch), card).item<double>() *
-        static_cast<double>(batch.size()) / n;
-  const std::vector<int> learned = learned_outputs(card.options);
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
-    const Outputs truth = standardise(samples.targets[i], card.targets);
-    report.validation_cosine += cosine_similarity(predicted[i], truth, learned) / n;
-    report.validation_hfov_mae_deg +=
-        degrees(std::abs(predicted[i][0] - truth[0]) * card.targets.deviation[0]) / n;
+  const torch::Tensor rows = run_last_layer(network, images, card);
+  const double n = static_cast<double>(images.size());
+  for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size)) {
+    const std::vector<std::int64_t> members(batch.begin(), batch.end());
+    const torch::Tensor predicted = rows.index_select(0, torch::tensor(members, torch::kLong));
+    report.validation_loss += batch_loss(predicted, truth_of(samples, batch), card).item<double>() *
+                              static_cast<double>(batch.size()) / n;
   }
+  if (is_deepcalib(card.options.head))
+    judge_spheres(rows, samples, card, report);
+  else
+    judge_outputs(rows, samples, card, report);
 }
 
 }  // namespace cps

@@ -5,7 +5,7 @@
 namespace cps {
 
 /// Results of one epoch. Losses are mean squared errors of standardised outputs: predicting the training mean
-/// scores 1 on the training set.
+/// scores 1 on the training set. Those of a DeepCalib head are sphere_loss().
 struct EpochReport {
   int epoch = 0, planned_epochs = 0;  ///< counted from 1
   double learning_rate = 0;           ///< at the epoch's last step

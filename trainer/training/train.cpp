@@ -68,7 +68,8 @@ ModelCard start_card(const Dataset& dataset, const fs::path& model_folder, const
 
 Samples load_part(const Dataset& dataset, Part part, const TrainOptions& options, const fs::path& cache) {
   return load_samples(dataset, part,
-                      {.space = options.target_space,
+                      {.head = options.head,
+                       .space = options.target_space,
                        .reduction = options.reduction,
                        .orientation = options.orientation,
                        .with_rays = options.loss == Loss::reprojection,
@@ -90,6 +91,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
                    bool resume, const EpochCallback& on_epoch, const Ranks& ranks, Device device) {
   const auto start = std::chrono::steady_clock::now();
   ModelCard card = start_card(dataset, model_folder, options, resume);
+  require_learnable(dataset, card.options.head);
   use_threads(card.options.threads);
   if (card.options.batches_per_step % ranks.count != 0)
     throw std::runtime_error("batches-per-step: " + std::to_string(card.options.batches_per_step) +
@@ -109,11 +111,12 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     summary.skipped.insert(summary.skipped.end(), skipped->begin(), skipped->end());
   summary.decode_seconds = seconds_since(start);
   summary.training_images = card.training_images = static_cast<int>(training.originals.size());
-  summary.validation_images = card.validation_images = static_cast<int>(validation.targets.size());
+  summary.validation_images = card.validation_images = static_cast<int>(validation.cache.images.size());
   // Inputs and outputs are standardised by the training images alone.
   card.pixels = training.pixels;
   card.orientation = training.orientation;
   card.targets = training.targets;
+  card.spheres = training.spheres;
   const bool on_cpu = device == Device::cpu;
   const bool computes_bfloat16 = ranks.sum(on_cpu && processor_computes_bfloat16()) == ranks.count;
   card.options.precision = chosen_precision(card.options.precision, computes_bfloat16);

@@ -56,7 +56,8 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 ///
 /// A run may be resumed on another device; equal weights are promised for the CPU only.
 ///
-/// Throws std::runtime_error with one line on invalid options, unusable data, or a model of another dataset.
+/// Throws std::runtime_error with one line on invalid options, unusable data, labels that the head cannot
+/// learn (require_learnable()), or a model of another dataset.
 TrainSummary train(const Dataset& dataset, const std::filesystem::path& model_folder,
                    const TrainOptions& options, bool resume, const EpochCallback& on_epoch,
                    const Ranks& ranks = Ranks(), Device device = Device::cpu);

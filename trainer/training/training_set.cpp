@@ -32,26 +32,37 @@ void measure(ShownImage& image) {
 }  // namespace
 
 TrainingSet fixed_images(std::shared_ptr<const Samples> samples, const TrainOptions& options) {
-  std::vector<Outputs> targets = samples->targets;
-  if (options.mirror)
-    targets.insert(targets.end(), samples->mirrored_targets.begin(), samples->mirrored_targets.end());
-  const auto shown = [samples, seed = options.seed, mirror = options.mirror](int i, int epoch) {
+  const bool has_spheres = is_deepcalib(options.head);
+  const auto shown = [samples, has_spheres, seed = options.seed, mirror = options.mirror](int i, int epoch) {
     const GrayView& view = samples->cache.images[i];
     ShownImage image{.pixels = {view.size, {view.pixels, view.pixels + pixel_count(view.size)}},
                      .original = samples->cache.originals[i],
                      .is_mirrored = mirror && is_mirrored(seed, epoch, i)};
     image.orientation = copy_of(samples->cache.orientations[i]);
-    image.target = (image.is_mirrored ? samples->mirrored_targets : samples->targets)[i];
+    if (has_spheres)
+      image.sphere = samples->spheres[i];
+    else
+      image.target = (image.is_mirrored ? samples->mirrored_targets : samples->targets)[i];
     if (!samples->rays.empty()) image.rays = (image.is_mirrored ? samples->mirrored_rays : samples->rays)[i];
     return image;
   };
-  return {.originals = samples->cache.originals,
-          .pixels = pixel_statistics(samples->cache.images),
-          .orientation = options.orientation.measured ? orientation_statistics(samples->cache.orientations)
-                                                      : OrientationStatistics{},
-          .targets = fit_standardisation(targets),
-          .skipped = samples->skipped,
-          .shown = shown};
+  TrainingSet set{.originals = samples->cache.originals,
+                  .pixels = pixel_statistics(samples->cache.images),
+                  .orientation = options.orientation.measured
+                                     ? orientation_statistics(samples->cache.orientations)
+                                     : OrientationStatistics{},
+                  .targets = {},
+                  .skipped = samples->skipped,
+                  .shown = shown};
+  if (has_spheres) {
+    set.spheres = sphere_statistics(samples->spheres);
+  } else {
+    std::vector<Outputs> targets = samples->targets;
+    if (options.mirror)
+      targets.insert(targets.end(), samples->mirrored_targets.begin(), samples->mirrored_targets.end());
+    set.targets = fit_standardisation(targets);
+  }
+  return set;
 }
 
 std::vector<ShownImage> show(const TrainingSet& set, const Batch& batch, const TrainOptions& options,

@@ -19,6 +19,7 @@ struct ShownImage {
   ImageSize original;
   bool is_mirrored = false;
   Outputs target{};                          ///< of the image as shown, flipped if it is; not standardised
+  SphereTarget sphere{};                     ///< the same for a DeepCalib head, which does not use `target`
   std::shared_ptr<const RayGrid> rays = {};  ///< also of the image as shown; null unless the loss needs them
   Orientation orientation{};  ///< of the image before it is flipped; without planes unless the network has it
   /// The picture that show() augments, to measure the orientation in it and to reduce it to `pixels`. Empty
@@ -32,6 +33,7 @@ struct TrainingSet {
   PixelStatistics pixels;               ///< by which the images are normalised
   OrientationStatistics orientation{};  ///< by which their orientation is; zeros without orientation
   Standardisation targets;              ///< by which the targets are standardised
+  SphereStatistics spheres{};           ///< of the targets of a DeepCalib head
   std::vector<std::string> skipped;     ///< one line for each image left out
   /// Image i in an epoch: a pure function of both, safe to call from many threads.
   std::function<ShownImage(int i, int epoch)> shown;

@@ -5,6 +5,7 @@
 #include "dataset/exchange/model_calibration.h"
 #include "dataset/labels/label.h"
 #include "dataset/labels/model_label.h"
+#include "dataset/labels/reader.h"
 #include "distortion/models/warp/seen_hfov.h"
 #include "files/files.h"
 #include "numbers/angles.h"
@@ -61,6 +62,7 @@ TEST_CASE("the label of a fisheye that does not reach its frame's corners names 
   CHECK_THROWS_WITH(model_label(camera), Catch::StartsWith("lens is not certified: "));
   ModelLabel label = masked_model_label(camera);
   label.part = Part::train;
+  label.seed = 11;
   label.vehicle_from_camera = vehicle_from_camera({.pitch_deg = -4});
   CHECK(label.valid == "valid.png");
   CHECK(degrees(label.max_angle_rad) == Approx(115).margin(1e-3));
@@ -80,6 +82,7 @@ TEST_CASE("the label of a fisheye that does not reach its frame's corners names 
   CHECK(read.max_angle_rad == Approx(label.max_angle_rad).epsilon(1e-15));
   CHECK(read.vehicle_from_camera.matrix() == label.vehicle_from_camera.matrix());
   CHECK(read.part == Part::train);
+  CHECK(read.seed == 11);
   CHECK(read.generator == label.generator);
 
   const Label common = common_label(label);
@@ -114,6 +117,33 @@ TEST_CASE("a label of another family with a key that is wrong is refused by the 
   CHECK_THAT(refusal([](auto& json) { json["valid"] = "mask.png"; }),
              Catch::Contains("valid: must be valid.png"));
   CHECK_THAT(refusal([](auto& json) { json["part"] = "some"; }), Catch::Contains("part"));
+  CHECK_THAT(refusal([](auto& json) { json["seed"] = "many"; }), Catch::Contains("seed: "));
+  CHECK_THAT(refusal([](auto& json) { json["schema"] = 9; }), Catch::Contains("schema: "));
   CHECK_THAT(refusal([](auto& json) { json.erase("certificate"); }),
              Catch::Contains("certificate: is missing"));
+}
+
+TEST_CASE("a dataset with lenses of two families is read by who asks for any") {
+  const TemporaryFolder folder;
+  ModelCamera sphere = *camera_from_seen_hfov(UnifiedSpherical{.xi = .9}, 320, 240, radians(140));
+  sphere.name = "front";
+  write_json(folder.path / "set/front_lens0001/calibration.json", to_json(model_label(sphere)));
+  Label plane;
+  plane.camera = pinhole_from_hfov(320, 240, radians(80));
+  plane.fov_base_deg = 80;
+  plane.rig_camera = "front";
+  write_json(folder.path / "set/front_lens0000/calibration.json", to_json(plane));
+  for (const char* part : {"train", "val", "test"})
+    write_file(folder.path / "splits" / (std::string(part) + ".txt"),
+               std::string("set/front_lens0000/000000.png\nset/front_lens0001/000000.png\n"));
+  CHECK_THROWS_WITH(read_dataset(folder.path),
+                    Catch::Contains("front_lens0001") && Catch::Contains("model: is unified_spherical"));
+  const Dataset dataset = read_dataset(folder.path, LensFamilies::any);
+  REQUIRE(dataset.groups.size() == 2);
+  CHECK_FALSE(dataset.groups[0].model);
+  CHECK(dataset.groups[0].camera().pinhole == plane.camera);
+  REQUIRE(dataset.groups[1].model);
+  CHECK(dataset.groups[1].camera() == sphere);
+  CHECK(dataset.groups[1].label.camera == sphere.pinhole);
+  CHECK(dataset.groups[1].label.rig_camera == "front");
 }

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 
 #include "sampler/places/place_draw.h"
@@ -71,4 +72,35 @@ TEST_CASE("a lane shorter than its margins has no place") {
   const std::vector<Lane> lanes = {{"A", 3, {{0, 0, 0}, {5, 0, 0}}, {}}};
   const std::vector<Part> parts = {Part::train};
   CHECK(usable_stretches(lanes, parts)[0].length_m() == 0);
+}
+
+TEST_CASE("cameras are turned uniformly within the recipe's ranges and all else stays as drawn") {
+  Recipe straight, turned;
+  turned.camera_pitch_min_deg = -15;
+  turned.camera_pitch_max_deg = 5;
+  turned.camera_roll_min_deg = -10;
+  turned.camera_roll_max_deg = 10;
+  const DrivableScene scene = drivable_scene(plain_scene(6), "plain", straight, make_stream(1, "streets"));
+  constexpr int places = 2000;
+  double pitch_sum = 0, roll_sum = 0, pitch_squares = 0;
+  for (int i = 0; i < places; ++i) {
+    const Stream stream = substream(make_stream(5, "place"), i);
+    const auto camera = [&](const Recipe& recipe) {
+      return draw_place(scene, Rig{}, Part::train, recipe, {}, stream).cameras.at(0);
+    };
+    const RigCamera plain = camera(straight), moved = camera(turned);
+    CHECK(moved.yaw_deg == plain.yaw_deg);
+    CHECK((moved.position_m == plain.position_m));
+    const double pitch = moved.pitch_deg - plain.pitch_deg, roll = moved.roll_deg - plain.roll_deg;
+    CHECK((pitch >= -15 - 1e-9 && pitch <= 5 + 1e-9));
+    CHECK((roll >= -10 - 1e-9 && roll <= 10 + 1e-9));
+    pitch_sum += pitch;
+    roll_sum += roll;
+    pitch_squares += (pitch + 5) * (pitch + 5);
+  }
+  // Means of −5 and 0 and a variance of 20²/12, within four standard deviations of their estimates.
+  const double sd = 20 / std::sqrt(12.0);
+  CHECK(std::abs(pitch_sum / places + 5) < 4 * sd / std::sqrt(places));
+  CHECK(std::abs(roll_sum / places) < 4 * sd / std::sqrt(places));
+  CHECK(std::abs(pitch_squares / places - sd * sd) < 4 * sd * sd * std::sqrt(.8 / places));
 }

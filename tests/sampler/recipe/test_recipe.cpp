@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "sampler/recipe/recipe.h"
+#include "sampler/recipe/recipe_keys.h"
 #include "tests/temporary_folder.h"
 
 namespace po = boost::program_options;
@@ -103,6 +104,21 @@ TEST_CASE("a recipe written out reads back to itself") {
   CHECK(recipe_of(text).lens_options.bounds.max_displacement == 1.0 / 3.0);
 }
 
+TEST_CASE("keys that came later are listed only where they are not at their defaults") {
+  for (const auto& [key, value] : later_recipe_keys) {
+    INFO(key);
+    // The text of the default is what is left out.
+    CHECK(to_text(recipe_of(whole + std::string(key) + " = " + std::string(value) + "\n")) ==
+          to_text(recipe_of(whole)));
+    CHECK_THAT(to_text(recipe_of(whole)), !Catch::Contains(std::string(key)));
+  }
+  const Recipe turned = recipe_of(whole + "camera_pitch_min_deg = -15\ncamera_roll_max_deg = 10\n");
+  const std::string text = to_text(turned);
+  CHECK_THAT(text, Catch::Contains("camera_pitch_min_deg = -15\n"));
+  CHECK_THAT(text, !Catch::Contains("camera_pitch_max_deg"));
+  CHECK(recipe_of(text).camera_roll_max_deg == 10);
+}
+
 TEST_CASE("a recipe that cannot be is refused by the key's name") {
   const auto refusal = [&](const std::string& line) -> std::string {
     try {
@@ -128,6 +144,8 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"traffic_max = 3", "traffic_min ≤ traffic_max: must lie in [0, 2]"},
       {"ego_bonnet = 1", "ego_bonnet = 1: is neither true nor false"},
       {"cities = -1", "cities: must lie in"},
+      {"camera_pitch_min_deg = 5", "camera_pitch_min_deg ≤ camera_pitch_max_deg"},
+      {"camera_roll_max_deg = 50", "camera_roll_min_deg ≤ camera_roll_max_deg"},
       {"conditions_per_scene = 0", "conditions_per_scene: must lie in"},
       {"clearance_m = 1e9", "clearance_m"},
       {"split = random", "split: must be route or thesis"},

@@ -47,7 +47,8 @@ TEST_CASE("every shipped recipe makes as many views and images as it says") {
                                                       {"smoke", {8, 720, 2'160}},
                                                       {"small", {31, 3'100, 9'300}},
                                                       {"demo", {5, 60, 240}},
-                                                      {"fisheye", {8, 360, 720}}};
+                                                      {"fisheye", {8, 360, 720}},
+                                                      {"deepcalib", {14, 28'000, 28'000}}};
   int found = 0;
   for (const auto& entry : std::filesystem::directory_iterator(CPS_RECIPES)) {
     if (entry.path().extension() != ".cfg") continue;

@@ -10,7 +10,7 @@ using namespace cps;
 
 namespace {
 
-const ImageSize picture{348, 128}, grid{87, 32};
+const ImageSize picture_size{348, 128}, grid{87, 32};
 const double half_diagonal = std::hypot(348, 128) / 2;
 
 TiltFit fit_of(const GrayImage& image, int family) {
@@ -20,12 +20,12 @@ TiltFit fit_of(const GrayImage& image, int family) {
 /// Cells of equal weight whose near-vertical edges have the tilt that the function says.
 template <typename Tilt>
 EdgeCells cells_with(Tilt tilt) {
-  EdgeCells cells{.picture = picture, .grid = grid, .families = {}};
+  EdgeCells cells{.picture = picture_size, .grid = grid, .families = {}};
   const double weight = 1e6;
   for (int r = 0; r < grid.height; ++r)
     for (int c = 0; c < grid.width; ++c) {
-      const double t = tilt(((c + .5) / grid.width - .5) * picture.width / half_diagonal,
-                            ((r + .5) / grid.height - .5) * picture.height / half_diagonal);
+      const double t = tilt(((c + .5) / grid.width - .5) * picture_size.width / half_diagonal,
+                            ((r + .5) / grid.height - .5) * picture_size.height / half_diagonal);
       cells.families[0].push_back(
           {std::llround(weight), std::llround(weight * t), std::llround(weight * t * t)});
       cells.energy += 2 * std::llround(weight);
@@ -86,7 +86,7 @@ TEST_CASE("straight lines at a known tilt have it as their constant") {
   for (double slope : {-.15, -.05, .02, .1}) {
     for (int family : {0, 1}) {
       const TiltFit fit =
-          fit_of(family == 0 ? leaning_bars(picture, slope) : sloping_bars(picture, slope), family);
+          fit_of(family == 0 ? leaning_bars(picture_size, slope) : sloping_bars(picture_size, slope), family);
       CHECK(fit.coefficients[0] == Approx(-slope).margin(.003));
       for (int i = 1; i < tilt_terms; ++i) CHECK(std::abs(fit.coefficients[i]) < .01);
       CHECK(fit.share > .95);
@@ -100,7 +100,7 @@ TEST_CASE(
   for (double a : {.1, -.15}) {
     // x / (1 + a Y) is constant along a line, so its tilt is −a X / (1 + a Y).
     const TiltFit fit = fit_of(
-        drawn(picture,
+        drawn(picture_size,
               [=](double x, double y) { return 128 + 100 * std::sin(x / (1 + a * y / half_diagonal) / 2); }),
         0);
     CHECK(fit.coefficients[1] == Approx(-a).epsilon(.03));
@@ -111,7 +111,7 @@ TEST_CASE(
 
 TEST_CASE("the coefficient of XY follows the radial distortion, and has the opposite sign") {
   const auto xy_of = [](double K1) {  // K1: at the half diagonal, see TargetSpace::apparent
-    CalibratedCamera camera{"", pinhole_from_hfov(picture.width, picture.height, radians(60)), {}};
+    CalibratedCamera camera{"", pinhole_from_hfov(picture_size.width, picture_size.height, radians(60)), {}};
     const double r = half_diagonal / camera.pinhole.fx;
     camera.distortion.k1 = K1 / (r * r);
     const GrayImage wall = wall_grid(camera);
