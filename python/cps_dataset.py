@@ -255,11 +255,11 @@ class _Folder:
         file = self.files[index]
         group = file.rpartition("/")[0]
         if group not in self.labels:
-            file = self.root / group / "calibration.json"
-            label = json.loads(file.read_text(encoding="utf-8"))
+            calibration = self.root / group / "calibration.json"
+            label = json.loads(calibration.read_text(encoding="utf-8"))
             if "params" in label:
                 raise ValueError(
-                    f"{file}: model: is {label.get('model')}: only datasets of brown_conrady lenses "
+                    f"{calibration}: model: is {label.get('model')}: only datasets of brown_conrady lenses "
                     "are read here; read its model, params and K yourself"
                 )
             self.labels[group] = {**label, "fx": label["K"][0][0], "fy": label["K"][1][1], "group": group}

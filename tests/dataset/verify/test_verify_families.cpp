@@ -33,7 +33,8 @@ const Plan& fisheye_plan() {
   return plan;
 }
 
-/// The dataset of that plan, with a leaf folder that has a mask.
+/// The dataset of that plan, with a leaf folder whose lens does not show its frame's corners. Other lenses
+/// show these, but not the whole kernels of the pixels there, and have a mask too.
 struct FisheyeDataset {
   TemporaryFolder folder = {};
   fs::path root = folder.path / "data";
@@ -41,9 +42,13 @@ struct FisheyeDataset {
 
   FisheyeDataset() {
     write_small_dataset(root, fisheye_plan());
-    for (const PlannedGroup& group : fisheye_plan().groups)
-      if (masked.empty() && fs::exists(root / group.folder / "valid.png")) masked = root / group.folder;
+    for (const PlannedGroup& group : fisheye_plan().groups) {
+      const fs::path leaf = root / group.folder;
+      if (masked.empty() && read_json(leaf / "calibration.json")["fov_true_deg"]["d"].is_null())
+        masked = leaf;
+    }
     REQUIRE_FALSE(masked.empty());
+    REQUIRE(fs::exists(masked / "valid.png"));
   }
 
   std::string faults() const {
