@@ -18,6 +18,7 @@ TEST_CASE("eight images are learned by heart") {
                                                                      .test_places = 1});
   REQUIRE(images_of(dataset, Part::train).size() == 8);
   TrainOptions options;
+  options.architecture = "resnet18-16";  // its state, which every epoch writes, is small
   options.reduction.width = 96;
   options.epochs = 80;
   options.batch_size = 8;
