@@ -12,7 +12,7 @@ inline constexpr int focal_bins = 46, xi_bins = 61;
 
 /// The bin of a share of the interval; a share on a border belongs to the upper bin. `share`: 0 … 1.
 inline int nearest_bin(double share, int bins) {
-  return std::clamp(static_cast<int>(std::floor(share * (bins - 1) + .5)), 0, bins - 1);
+  return std::clamp(static_cast<int>(std::round(share * (bins - 1))), 0, bins - 1);
 }
 
 /// The value of a bin, as a share of the interval.
