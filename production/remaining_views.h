@@ -20,7 +20,8 @@ struct RemainingViews {
 RemainingViews remaining_views(const Plan& plan, const Shard& shard, const std::filesystem::path& root,
                                const Watch& watch);
 
-/// Writes calibration.json of every group that one of the views belongs to.
+/// Writes calibration.json, and valid.png where the lens needs one, of every group that one of the views
+/// belongs to.
 void write_labels(const Plan& plan, const std::vector<std::int64_t>& views,
                   const std::filesystem::path& root);
 

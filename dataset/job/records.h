@@ -38,7 +38,7 @@ struct MasterRecord {
 /// A view whose images, with their dense labels, and kept master are all written.
 struct ViewRecord {
   std::int64_t view = 0;  ///< index into Plan::views
-  double exposure = 1;    ///< metered on the master: linear radiance → share of white
+  double exposure = 1;    ///< linear radiance → share of white; metered on what the view shows
   std::vector<ImageRecord> images;
   std::optional<MasterRecord> master = {};
 };

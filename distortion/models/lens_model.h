@@ -15,10 +15,10 @@
 #include "distortion/models/unified_spherical.h"
 
 /// Lens families. A file per family defines its numbers and where they send rays (projection.h); certificate/
-/// proves them one-to-one, inverse/ inverts them, conversion/ fits one by another, warp/ makes pictures. To add
-/// a family: (1) its struct and projection in a file of its own, and its place in LensModel; (2) its name and
-/// parameters in lens_model.cpp; (3) its angle limit in projection.cpp; (4) its certificate and inverse in
-/// certificate/radial_certificate.cpp and inverse/region_inverse.h.
+/// proves them one-to-one, inverse/ inverts them, conversion/ fits one by another, warp/ makes pictures. To
+/// add a family: (1) its struct and projection in a file of its own, and its place in LensModel; (2) its name
+/// and parameters in lens_model.cpp; (3) its angle limit in projection.cpp; (4) its certificate and inverse
+/// in certificate/radial_certificate.cpp and inverse/region_inverse.h.
 namespace cps {
 
 using LensModel = std::variant<Distortion, RationalLens, KannalaBrandt, UnifiedSpherical, Eucm, DoubleSphere>;

@@ -92,12 +92,14 @@ TEST_CASE("k3 is held where the format has a place for it") {
   const std::filesystem::path file = no_file(CalibrationFormat::kalibr);
   CHECK_THAT(refusal_of(file,
                         [&] {
-                          write_model_calibration(file, CalibrationFormat::kalibr,
-                                                  std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
+                          write_model_calibration(
+                              file, CalibrationFormat::kalibr,
+                              std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
                         }),
              Catch::Contains("left: k3 is not 0, which kalibr has no place for: write it as cps"));
   const std::filesystem::path json = no_file(CalibrationFormat::cps);
-  write_model_calibration(json, CalibrationFormat::cps, std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
+  write_model_calibration(json, CalibrationFormat::cps,
+                          std::vector{ModelCamera{"left", round_trip_pinhole, sphere}});
   CHECK(read_model_camera(json, "left").lens == sphere);
 }
 
@@ -115,9 +117,9 @@ TEST_CASE("Brown–Conrady gives the same bytes as a camera of any family") {
 
 TEST_CASE("readers of Brown–Conrady refuse other families by name and keep the rest of the file") {
   const std::filesystem::path file = file_of("cameras.txt", "");
-  write_model_calibration(
-      file, CalibrationFormat::colmap,
-      std::vector{ModelCamera{"1", round_trip_pinhole, lenses[0]}, ModelCamera{"2", round_trip_pinhole, lenses[2]}});
+  write_model_calibration(file, CalibrationFormat::colmap,
+                          std::vector{ModelCamera{"1", round_trip_pinhole, lenses[0]},
+                                      ModelCamera{"2", round_trip_pinhole, lenses[2]}});
   CHECK(read_camera(file, "1").distortion == std::get<Distortion>(lenses[0]));
   CHECK_THAT(refusal_of(file, [&] { read_camera(file, "2"); }),
              Catch::Contains("2: its lens model is kannala_brandt") && Catch::Contains("cps lens convert"));
@@ -126,7 +128,8 @@ TEST_CASE("readers of Brown–Conrady refuse other families by name and keep the
 }
 
 TEST_CASE("a file of several families: kalibr and colmap hold them, nerfstudio holds one") {
-  const std::vector<ModelCamera> cameras{{"1", round_trip_pinhole, lenses[0]}, {"2", round_trip_pinhole, lenses[2]}};
+  const std::vector<ModelCamera> cameras{{"1", round_trip_pinhole, lenses[0]},
+                                         {"2", round_trip_pinhole, lenses[2]}};
   const std::filesystem::path kalibr = no_file(CalibrationFormat::kalibr);
   write_model_calibration(kalibr, CalibrationFormat::kalibr, cameras);
   CHECK(read_model_camera(kalibr, "cam0").lens == lenses[0]);
@@ -140,7 +143,8 @@ TEST_CASE("calibration.json of another family has no key that a reader of CPS da
   for (const LensModel& lens : lenses) {
     if (std::holds_alternative<Distortion>(lens)) continue;
     const std::filesystem::path file = no_file(CalibrationFormat::cps);
-    write_model_calibration(file, CalibrationFormat::cps, std::vector{ModelCamera{"02", round_trip_pinhole, lens}});
+    write_model_calibration(file, CalibrationFormat::cps,
+                            std::vector{ModelCamera{"02", round_trip_pinhole, lens}});
     const nlohmann::json json = nlohmann::json::parse(read_file(file));
     for (const char* key : {"fov", "k1", "k2", "k3", "p1", "p2", "cx", "cy"}) CHECK_FALSE(json.contains(key));
     CHECK(json.at("model") == family(lens));
