@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "dataset/job/finish.h"
 #include "dataset/job/gaps.h"
 #include "dataset/job/journal.h"
+#include "dataset/job/write_label.h"
 
 namespace cps {
 

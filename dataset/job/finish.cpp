@@ -8,6 +8,7 @@
 #include "dataset/job/frames.h"
 #include "dataset/job/masters.h"
 #include "dataset/job/recipe_json.h"
+#include "dataset/job/write_label.h"
 #include "dataset/labels/group_label.h"
 #include "files/files.h"
 

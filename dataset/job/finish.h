@@ -9,10 +9,6 @@
 
 namespace cps {
 
-/// Writes the group's calibration.json, and before it the mask that it names, unless both exist; existing
-/// ones are complete and of the same job. A label that an older program wrote is replaced by today's.
-void write_label(const std::filesystem::path& root, const Plan& plan, const PlannedGroup& group);
-
 /// Writes the files that describe the whole dataset: labels of groups without views, frames.csv in every leaf
 /// folder, the split lists, and last dataset.json, which marks the dataset as finished. Removes temporary
 /// files of killed processes, so no other process may be writing there. `records` must hold every view of the

@@ -1,4 +1,5 @@
-#include "dataset/job/finish.h"
+#include "dataset/job/write_label.h"
+
 #include "dataset/labels/group_label.h"
 #include "dataset/labels/valid_mask.h"
 #include "files/files.h"

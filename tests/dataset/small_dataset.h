@@ -9,6 +9,7 @@
 #include "dataset/dense/dense_file.h"
 #include "dataset/job/finish.h"
 #include "dataset/job/frames.h"
+#include "dataset/job/write_label.h"
 #include "dataset/labels/group_label.h"
 #include "dataset/pixels/image_file.h"
 #include "files/files.h"

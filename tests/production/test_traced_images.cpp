@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <utility>
 
 #include "dataset/dense/dense_file.h"
 #include "dataset/pixels/image_file.h"
@@ -100,6 +102,20 @@ TEST_CASE("exposure is metered on the pixels that the lens shows") {
   const RenderedView rendered = render_view(traced.recipe, traced.view, traced.wanted, traced.lit);
   CHECK(make_images(traced.wanted, rendered, traced.folder.path, times).record.exposure ==
         Approx(0.18).epsilon(1e-4));
+}
+
+TEST_CASE("images of one view share the exposure that is metered on all of them") {
+  TracedView traced({whole_sphere, whole_sphere}, inside_a_lamp());
+  RenderedView rendered;
+  for (const float radiance : {0.1f, 0.4f}) {
+    OIIO::ImageBuf light(OIIO::ImageSpec(96, 60, 3, OIIO::TypeDesc::FLOAT));
+    std::fill_n(static_cast<float*>(light.localpixels()), 3 * 96 * 60, radiance);
+    rendered.traced.push_back(std::move(light));
+  }
+  ImageTimes times;
+  // Both count alike: their mean is brought to 18 % of white.
+  CHECK(make_images(traced.wanted, rendered, traced.folder.path, times).record.exposure ==
+        Approx(0.18 / 0.25).epsilon(1e-5));
 }
 
 TEST_CASE("every traced image has its own paths and the same each time") {

@@ -3,6 +3,7 @@
 
 #include "dataset/job/job.h"
 #include "dataset/job/journal.h"
+#include "dataset/job/write_label.h"
 #include "dataset/migrate/migrate.h"
 #include "dataset/verify/verify.h"
 #include "dataset/verify/verify_plan.h"

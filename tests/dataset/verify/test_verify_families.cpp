@@ -3,6 +3,7 @@
 #include "dataset/contact_sheet.h"
 #include "dataset/export/source.h"
 #include "dataset/job/recipe_json.h"
+#include "dataset/job/write_label.h"
 #include "dataset/migrate/migrate.h"
 #include "dataset/report/page.h"
 #include "dataset/verify/verify.h"
