@@ -75,8 +75,10 @@ std::string frame(const Plot& plot, const Axes& axes) {
 std::string curve(const PlotSeries& series, const Axes& axes, const char* colour) {
   std::string path;
   bool pen_down = false;
-  for (const Eigen::Vector2d& point : series.points) {
+  for (std::size_t i = 0; i < series.points.size(); ++i) {
+    const Eigen::Vector2d& point = series.points[i];
     const bool dot = series.style == PlotStyle::dots;
+    if (series.style == PlotStyle::bars && i % 2 == 0) pen_down = false;
     if (!point.allFinite() || (dot && !axes.shows(point))) {
       pen_down = false;
       continue;
@@ -88,8 +90,11 @@ std::string curve(const PlotSeries& series, const Axes& axes, const char* colour
   if (series.style == PlotStyle::dots)
     return fmt::format(
         "<path d=\"{}\" stroke=\"{}\" stroke-width=\"2.4\" stroke-linecap=\"round\" "
-        "stroke-opacity=\".5\"/>\n",
-        path, colour);
+        "stroke-opacity=\"{:.2g}\"/>\n",
+        path, colour, series.opacity);
+  if (series.style == PlotStyle::bars)
+    return fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-opacity=\"{:.2g}\" clip-path=\"url(#{})\"/>\n",
+                       path, colour, series.opacity, axes.page.clip);
   return fmt::format(
       "<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\" "
       "clip-path=\"url(#{})\"/>\n",
@@ -99,7 +104,10 @@ std::string curve(const PlotSeries& series, const Axes& axes, const char* colour
 std::string diagram(const Plot& plot, const PlotFrame& page) {
   const Axes axes{range_of(plot, 0), range_of(plot, 1), page};
   std::string svg = frame(plot, axes);
+  const auto named =
+      std::ranges::count_if(plot.series, [](const PlotSeries& series) { return !series.name.empty(); });
   double legend_y = top + 15;
+  if (plot.has_legend_below) legend_y = top + axes.height() + 7 - 15 * static_cast<double>(named);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const char* colour = colours[plot.series[i].colour.value_or(i) % colours.size()];
     svg += curve(plot.series[i], axes, colour);

@@ -12,13 +12,15 @@
 /// bytes.
 namespace cps {
 
-enum class PlotStyle { line, dots };
+/// bars: the points in pairs, each joined by a thin line.
+enum class PlotStyle { line, dots, bars };
 
 struct PlotSeries {
   std::string name = {};  ///< shown in the legend unless empty
   PlotStyle style = PlotStyle::line;
   std::vector<Eigen::Vector2d> points = {};  ///< a point that is not finite interrupts the line
   std::optional<std::size_t> colour = {};  ///< place in the palette of seven; without it, the series' number
+  double opacity = .5;                     ///< of dots and bars
 };
 
 /// One diagram. Without a range, the axis covers the points.
@@ -26,6 +28,7 @@ struct Plot {
   std::string title, x_label, y_label;
   std::vector<PlotSeries> series = {};
   std::optional<Interval> x_range = {}, y_range = {};
+  bool has_legend_below = false;  ///< the legend stands at the bottom of the diagram, not at its top
 };
 
 /// The size of each diagram in SVG user units, and the name of its clip path, which must differ between the

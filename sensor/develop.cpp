@@ -25,6 +25,14 @@ std::array<float, 255> srgb_thresholds() {
   return thresholds;
 }
 
+/// The thresholds for values before a tone curve of this contrast.
+std::array<float, 255> before_contrast(std::array<float, 255> thresholds, double contrast) {
+  constexpr double middle_gray = .18;
+  for (float& threshold : thresholds)
+    threshold = static_cast<float>(middle_gray * std::pow(threshold / middle_gray, 1 / contrast));
+  return thresholds;
+}
+
 std::uint8_t srgb_code(const std::array<float, 255>& thresholds, float linear) {
   const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
   return static_cast<std::uint8_t>(above - thresholds.begin());
@@ -84,7 +92,9 @@ OIIO::ImageBuf expose(const OIIO::ImageBuf& linear, double exposure, const Senso
 
 OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
                        Stream noise) {
-  static const std::array<float, 255> thresholds = srgb_thresholds();
+  static const std::array<float, 255> plain = srgb_thresholds();
+  const std::array<float, 255> thresholds =
+      settings.contrast == 1 ? plain : before_contrast(plain, settings.contrast);
   const int width = linear.spec().width, height = linear.spec().height, channels = linear.spec().nchannels;
   OIIO::ImageBuf encoded(OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::UINT8));
   const auto* from = static_cast<const float*>(linear.localpixels());

@@ -35,8 +35,9 @@ double exposure_factor(double exposure, const SensorSettings& settings);
 OIIO::ImageBuf expose(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings);
 
 /// Linear radiance → 8-bit sRGB (IEC 61966-2-1): scaled by `exposure`·2^bias, shot and read noise as a normal
-/// of variance (signal + read²) electrons per channel and pixel, clipped at white, encoded, rounded. Noise is
-/// a pure function of (noise, pixel, channel). `linear` has float channels.
+/// of variance (signal + read²) electrons per channel and image pixel, the tone curve of the settings'
+/// contrast, clipped at white, encoded, rounded. Noise is a pure function of (noise, pixel, channel).
+/// `linear` has float channels.
 OIIO::ImageBuf develop(const OIIO::ImageBuf& linear, double exposure, const SensorSettings& settings,
                        Stream noise);
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "apps/share_folder.h"
 #include "sampler/recipe/recipe.h"
 
 namespace fs = std::filesystem;
@@ -11,9 +12,7 @@ namespace {
 
 fs::path find_recipe_file(const std::string& named) {
   if (fs::exists(named)) return named;
-  const fs::path program = fs::read_symlink("/proc/self/exe");
-  const fs::path shipped =
-      program.parent_path().parent_path() / "share" / "cps" / "recipes" / (named + ".cfg");
+  const fs::path shipped = share_folder() / "recipes" / (named + ".cfg");
   const bool is_name = named.find('/') == named.npos;
   return is_name && fs::exists(shipped) ? shipped : fs::path(named);
 }

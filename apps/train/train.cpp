@@ -30,11 +30,22 @@ void flag(po::options_description& options, const char* name, T& value, const st
 
 /// Flags whose values are words, before they are parsed.
 struct Words {
-  std::string target_space, loss, precision;
+  std::string target_space, loss, precision, head;
 };
 
 Words words_of(const TrainOptions& o) {
-  return {to_string(o.target_space), to_string(o.loss), to_string(o.precision)};
+  return {to_string(o.target_space), to_string(o.loss), to_string(o.precision),
+          is_fit(o.head) ? "fit" : "direct"};
+}
+
+/// Sets the head, and what a fit needs, which later flags may still change.
+void choose_head(TrainOptions& options, const std::string& word) {
+  if (is_deepcalib(options.head)) throw po::error("--head: the preset has a deepcalib head: leave it out");
+  if (word != "direct" && word != "fit") throw po::error("--head: must be direct or fit");
+  options.head = word == "fit" ? Head::brown_conrady_fit : Head::brown_conrady;
+  if (word == "direct") return;
+  options.orientation.measured = true;
+  options.target_space = TargetSpace::seen;
 }
 
 po::options_description training_flags(TrainOptions& o, Words& words) {
@@ -52,10 +63,14 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
        "give the network the orientation of edges, measured at the image's own size");
   flag(options, "orientation-width", o.orientation.max_width,
        "with --orientation: wider images are reduced to this width before it is measured, pixels");
+  flag(options, "head", words.head,
+       "direct: the network's outputs as they are; fit: joined with a fit to the picture's edges, which "
+       "the network weighs; they have standard deviations then (sets --orientation and --targets seen)");
   flag(options, "loss", words.loss,
        "mse or huber of the standardised outputs, or reprojection (pixel distance)");
   flag(options, "targets", words.target_space,
-       "space of the outputs: apparent (coefficients scaled by the half diagonal) or raw");
+       "space of the outputs: apparent (coefficients scaled by the half diagonal), seen (the same with the "
+       "H-FOV that the image sees), or raw");
   flag(options, "width", o.reduction.width,
        "width of the network's images, pixels; images are never enlarged");
   flag(options, "reduce", o.reduction.factor,
@@ -72,6 +87,8 @@ po::options_description training_flags(TrainOptions& o, Words& words) {
   flag(options, "max-gradient", o.max_gradient, "scale larger gradient norms down to this; 0: never");
   flag(options, "skip-bad-images", o.skip_bad_images,
        "leave out images that cannot be used, and name them, instead of stopping");
+  flag(options, "places-share", o.places_share,
+       "train on the images of this share of the training places; a smaller share is a part of a larger one");
   flag(options, "mirror", o.mirror, "flip a random half of the images in each epoch, with exact labels");
   flag(
       options, "augment", o.augmentation.probability,
@@ -141,7 +158,8 @@ int train_verb(const Arguments& arguments) {
       "where to compute: cpu or cuda")("resume", po::bool_switch(),
                                        "continue the training of the model in --out, with its own options");
   flag(files, "onnx", with_onnx,
-       "at the end, also write the network as model.onnx (not with a deepcalib preset)");
+       "at the end, also write the network as model.onnx (not with --head fit, --targets seen or a "
+       "deepcalib preset)");
   const po::options_description how = training_flags(options, words);
   po::options_description all = files;
   all.add(how);
@@ -155,6 +173,7 @@ int train_verb(const Arguments& arguments) {
         throw po::error("--" + name + " cannot be combined with --resume, which keeps the model's options");
   if (values.count("preset"))
     options = usage_checked([&] { return train_preset(values["preset"].as<std::string>()); });
+  if (values.count("head")) choose_head(options, values["head"].as<std::string>());
   words = words_of(options);
   po::notify(values);
   options.target_space = usage_checked([&] { return target_space_from_string(words.target_space); });
@@ -175,8 +194,7 @@ int train_verb(const Arguments& arguments) {
       ranks, computed_on);
   if (ranks.rank != 0) return 0;
   for (const std::string& why : summary.skipped) std::cerr << "left out: " << why << "\n";
-  // There is no ONNX form of the DeepCalib heads.
-  if (with_onnx && !is_deepcalib(load_model_card(out).options.head))
+  if (with_onnx && onnx_fault(load_model_card(out).options).empty())
     write_onnx(out, fs::path(out) / onnx_file_name);
   std::cout << summary.brief_report() << "\nmodel in " << out << "\n";
   return 0;

@@ -19,7 +19,7 @@ void training_step(benchmark::State& state, const std::string& architecture, Pre
                       targets = torch::randn({batch, cps::output_count});
   for (auto _ : state) {
     training.optimizer->zero_grad();
-    torch::mse_loss(training.network->forward(images, sizes), targets).backward();
+    torch::mse_loss(training.network->forward(images, sizes).numbers, targets).backward();
     training.optimizer->step();
   }
   state.SetItemsProcessed(state.iterations() * batch);

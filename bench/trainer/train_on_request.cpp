@@ -48,7 +48,7 @@ void bare_steps(TrainingState& state, int batch, ImageSize size, int steps) {
   state.network->train();
   for (int i = 0; i < steps; ++i) {
     state.optimizer->zero_grad();
-    const torch::Tensor loss = torch::mse_loss(state.network->forward(images, sizes), targets);
+    const torch::Tensor loss = torch::mse_loss(state.network->forward(images, sizes).numbers, targets);
     loss.backward();
     torch::nn::utils::clip_grad_norm_(state.network->parameters(), 1.0);
     state.optimizer->step();

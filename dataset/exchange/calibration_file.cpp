@@ -20,6 +20,12 @@ constexpr std::array<std::pair<CalibrationFormat, const char*>, 8> names{
      {CalibrationFormat::kalibr, "kalibr"},
      {CalibrationFormat::nerfstudio, "nerfstudio"}}};
 
+constexpr std::array<CalibrationFormat, names.size()> all_formats = [] {
+  std::array<CalibrationFormat, names.size()> formats{};
+  for (std::size_t i = 0; i < names.size(); ++i) formats[i] = names[i].first;
+  return formats;
+}();
+
 CalibratedCamera brown_conrady(const ModelCamera& camera, const std::filesystem::path& file) {
   if (const auto* lens = std::get_if<Distortion>(&camera.lens)) return {camera.name, camera.pinhole, *lens};
   throw std::runtime_error(one_line(
@@ -42,6 +48,10 @@ CalibrationFormat calibration_format_from_string(const std::string& name) {
     known += std::string(known.empty() ? "" : ", ") + known_name;
   }
   throw std::runtime_error("format: '" + name + "' is none of " + known);
+}
+
+std::span<const CalibrationFormat> calibration_formats() {
+  return all_formats;
 }
 
 std::string usual_file_name(CalibrationFormat format) {

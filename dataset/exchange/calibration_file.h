@@ -17,6 +17,9 @@ enum class CalibrationFormat { cps, opencv_yaml, opencv_xml, colmap, ros, kitti,
 std::string to_string(CalibrationFormat format);
 CalibrationFormat calibration_format_from_string(const std::string& name);
 
+/// All of them.
+std::span<const CalibrationFormat> calibration_formats();
+
 /// The file name that readers of the format expect: "cameras.txt", …
 std::string usual_file_name(CalibrationFormat format);
 

@@ -5,7 +5,9 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "dataset/dense/dense_file.h"
 #include "dataset/exchange/calibration_file.h"
+#include "dataset/labels/valid_mask.h"
 
 namespace cps {
 namespace {
@@ -20,10 +22,17 @@ bool is_picture_name(const fs::path& file) {
   return std::ranges::find(names, extension) != names.end();
 }
 
+/// Whether it is what a dataset keeps of its images' pixels beside them.
+bool is_pixel_label(const fs::path& file) {
+  return is_dense_file(file) ||
+         (file.filename() == valid_mask_file && fs::exists(file.parent_path() / "calibration.json"));
+}
+
 std::vector<fs::path> pictures_or_none(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && is_picture_name(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file() && is_picture_name(entry.path()) && !is_pixel_label(entry.path()))
+      files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }

@@ -19,8 +19,9 @@ struct CameraPictures {
 /// no frame.
 std::vector<CameraPictures> kitti_raw(const std::filesystem::path& folder);
 
-/// The pictures in a folder (not below it), sorted by name. Throws std::runtime_error when it is no folder or
-/// holds none.
+/// The pictures in a folder (not below it), sorted by name. A leaf folder of a dataset holds labels of
+/// pixels, too, such as 000017.instance.png and valid.png: they are left out. Throws std::runtime_error when
+/// it is no folder or holds no picture.
 std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& folder);
 
 }  // namespace cps

@@ -100,13 +100,20 @@ constexpr FrameNumber frame_numbers[] = {
     {"full well", "electrons",
      [](const FrameRow& row, const Pose&, const Pose&) { return row.sensor.full_well_e; },
      [](const Recipe& r) {
-       return std::optional(Interval{r.sensor.full_well_min_e, r.sensor.full_well_max_e});
+       const auto of_image = [&](double e) {
+         return binned({.full_well_e = e}, r.sensor.binning).full_well_e;
+       };
+       return std::optional(Interval{of_image(r.sensor.full_well_min_e), of_image(r.sensor.full_well_max_e)});
      },
      no_note},
     {"read noise", "electrons, rms",
      [](const FrameRow& row, const Pose&, const Pose&) { return row.sensor.read_noise_e; },
      [](const Recipe& r) {
-       return std::optional(Interval{r.sensor.read_noise_min_e, r.sensor.read_noise_max_e});
+       const auto of_image = [&](double e) {
+         return binned({.read_noise_e = e}, r.sensor.binning).read_noise_e;
+       };
+       return std::optional(
+           Interval{of_image(r.sensor.read_noise_min_e), of_image(r.sensor.read_noise_max_e)});
      },
      no_note},
 };

@@ -77,6 +77,13 @@ CropOptions crop_options(const LensOptions& options) {
                           .max_eigenvalue = options.bounds.max_eigenvalue}};
 }
 
+/// The scheme of one lens: the chosen one, or one that the options mix in.
+LensScheme mixed_scheme(const LensOptions& options, Stream stream) {
+  const double u = random_uniform(stream, 0);
+  if (u < options.sequential_share) return LensScheme::sequential;
+  return u < options.sequential_share + options.real_lenses_share ? LensScheme::real_lenses : options.scheme;
+}
+
 DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, const LensOptions& options,
                     Stream stream) {
   Pinhole unit_camera = camera;  // on its frame the half diagonal is 1
@@ -107,9 +114,8 @@ DrawnLens draw_once(const Pinhole& camera, CropOrder order, LensScheme scheme, c
 DrawnLens draw_lens(const Pinhole& camera, CropOrder order, const LensOptions& options, Stream stream) {
   if (order == CropOrder::label_first && options.coefficients.has_k1_range())
     throw std::runtime_error("k1_min, k1_max: need the H-FOV of the base, as k1 refers to it");
-  // The scheme is chosen once, before any rejection, so that sequential_share holds among the lenses kept.
-  const bool for_coverage = random_uniform(make_stream(stream.key, "scheme"), 0) < options.sequential_share;
-  const LensScheme scheme = for_coverage ? LensScheme::sequential : options.scheme;
+  // The scheme is chosen once, before any rejection, so that the shares hold among the lenses kept.
+  const LensScheme scheme = mixed_scheme(options, make_stream(stream.key, "scheme"));
   std::string why;
   for (int attempt = 0; attempt < max_lens_attempts; ++attempt) {
     DrawnLens lens = draw_once(camera, order, scheme, options, substream(stream, attempt));

@@ -54,6 +54,10 @@ LensScheme lens_scheme_from_string(const std::string& word) {
 
 std::string LensOptions::fault() const {
   if (!(sequential_share >= 0 && sequential_share <= 1)) return "sequential_share: must lie in [0, 1]";
+  if (!(real_lenses_share >= 0 && sequential_share + real_lenses_share <= 1))
+    return "sequential_share, real_lenses_share: must lie in [0, 1], and their sum too";
+  if (real_lenses_share > 0 && scheme != LensScheme::shape_prior)
+    return "real_lenses_share: needs lens_draw = shape_prior";
   if (coefficients.drawn.empty()) return "coefficients: name at least one of k1, k2, k3, p1, p2";
   if (!(coefficients.k1_min <= 0 && coefficients.k1_max >= 0))
     return "k1_min ≤ 0 ≤ k1_max: must hold, as a lens starts without distortion";

@@ -38,6 +38,9 @@ struct LensOptions {
   LensScheme scheme = LensScheme::sequential;
   /// Share of the lenses that are drawn by the sequential scheme although another is chosen, for coverage.
   double sequential_share = 0.2;
+  /// Share of the lenses that are drawn by the scheme real_lenses although shape_prior is chosen, so that
+  /// both priors are in one dataset.
+  double real_lenses_share = 0;
   CoefficientChoice coefficients;
   LensBounds bounds;
   PrincipalPointBounds principal_point;

@@ -30,6 +30,9 @@ void for_each_lens_key(OptionsT& o, Visitor&& visit) {
       "sequential_share", o.sequential_share,
       "share of the lenses that are drawn as sequential where lens_draw is one of the others, for coverage; "
       "0 to 1");
+  visit("real_lenses_share", o.real_lenses_share,
+        "share of the lenses that are drawn as real_lenses where lens_draw is shape_prior, 0 to 1; with "
+        "sequential_share at most 1");
   visit("coefficients", o.coefficients.drawn,
         "coefficients to draw, separated by commas; the others are 0. Needs lens_draw = sequential");
   visit("k1_min", o.coefficients.k1_min,

@@ -121,6 +121,13 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
         "smallest read noise to draw, rms electrons, 0 to 1e4");
   visit("read_noise_max_e", r.sensor.read_noise_max_e,
         "largest read noise to draw, rms electrons, read_noise_min_e to 1e4");
+  visit(
+      "sensor_binning", r.sensor.binning,
+      "sensor pixels along each side of an image pixel, 1 to 16; their signals are averaged, as in a reduced "
+      "picture, which divides the noise by as much. Full well and read noise are those of a sensor pixel");
+  visit("contrast_min", r.sensor.contrast_min,
+        "smallest contrast to draw, exponent of the tone curve about middle gray, 0.25 to 4; 1: none");
+  visit("contrast_max", r.sensor.contrast_max, "largest contrast to draw, contrast_min to 4");
 
   visit("image_format", r.image_format,
         "format of the images: png, 8-bit sRGB; png_gray, 8 bits of a sensor without colours; jpeg, 8-bit "
@@ -134,12 +141,16 @@ void for_each_recipe_key(RecipeT& r, Visitor&& visit) {
 }
 
 /// Keys that came later, with their defaults as text.
-inline constexpr std::array<std::pair<std::string_view, std::string_view>, 5> later_recipe_keys{
-    {{"camera_pitch_min_deg", "0"},
+inline constexpr std::array<std::pair<std::string_view, std::string_view>, 9> later_recipe_keys{
+    {{"contrast_min", "1"},
+     {"contrast_max", "1"},
+     {"camera_pitch_min_deg", "0"},
      {"camera_pitch_max_deg", "0"},
      {"camera_roll_min_deg", "0"},
      {"camera_roll_max_deg", "0"},
-     {"lens_model", "brown_conrady"}}};
+     {"lens_model", "brown_conrady"},
+     {"real_lenses_share", "0"},
+     {"sensor_binning", "1"}}};
 
 /// The keys that describe a recipe in files, with their values: all but the later ones at their defaults, so
 /// that the files of such recipes, dataset.json and jobs, keep the bytes from before there were these keys.

@@ -21,15 +21,20 @@ inline std::string quoted(const std::filesystem::path& path) {
   return fmt::format("'{}'", path.string());
 }
 
-/// Runs `cps <arguments>` through the shell.
-inline ProgramRun run_cps(const std::string& arguments) {
+/// Runs a command through the shell.
+inline ProgramRun run_command(const std::string& command) {
   ProgramRun run;
-  FILE* pipe = popen((std::string(CPS_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   char buffer[4096];
   while (std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) run.output.append(buffer, n);
   const int status = pclose(pipe);
   run.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return run;
+}
+
+/// Runs `cps <arguments>` through the shell.
+inline ProgramRun run_cps(const std::string& arguments) {
+  return run_command(std::string(CPS_PROGRAM) + " " + arguments);
 }
 
 /// What cps prints; it must succeed.

@@ -138,6 +138,55 @@ TEST_CASE("curves and dots lie where the axes say, and a point that is not finit
     CHECK(std::abs(at({0, label.attribute("y").as_double()}).y() - value) < 6 * std::abs(y.per_page));
 }
 
+TEST_CASE("bars join the points of pairs alone and fade as asked") {
+  const Plot plot{
+      .title = "",
+      .x_label = "",
+      .y_label = "",
+      .series = {{.style = PlotStyle::bars,
+                  .points = {{1, 2}, {1, 4}, {2, 3}, {2, 5}, {3, -INFINITY}, {3, 1}, {4, 0}, {4, 1}},
+                  .opacity = .25}}};
+  pugi::xml_document page;
+  REQUIRE(page.load_string(to_svg({&plot, 1}, 1).c_str()));
+  const pugi::xml_node bars =
+      page.child("svg").child("g").find_child_by_attribute("path", "clip-path", "url(#frame)");
+  CHECK(bars.attribute("stroke-opacity").as_double() == .25);
+  const auto points = path_points(bars);
+  std::string letters;
+  for (const auto& [letter, point] : points) letters += letter;
+  CHECK(letters == "MLMLMML");  // the point whose partner is not finite stands alone and shows nothing
+  REQUIRE(points.size() == 7);
+  for (std::size_t first : {0, 2, 5}) {
+    CHECK(points[first].second.x() == points[first + 1].second.x());
+    CHECK(points[first].second.y() > points[first + 1].second.y());  // upward
+  }
+}
+
+TEST_CASE("a legend below stands in the lower half of the diagram with all its names inside") {
+  Plot plot{
+      .title = "",
+      .x_label = "",
+      .y_label = "",
+      .series = {{.name = "first", .points = {{0, 0}, {1, 1}}}, {.name = "second", .points = {{0, 0}}}}};
+  for (bool is_below : {false, true}) {
+    plot.has_legend_below = is_below;
+    pugi::xml_document page;
+    REQUIRE(page.load_string(to_svg({&plot, 1}, 1).c_str()));
+    const pugi::xml_node diagram = page.child("svg").child("g"), frame = diagram.child("rect");
+    const double top = frame.attribute("y").as_double(), bottom = top + frame.attribute("height").as_double(),
+                 middle = (top + bottom) / 2;
+    int names = 0;
+    for (const pugi::xml_node& text : diagram.children("text")) {
+      const std::string name = text.child_value();
+      if (name != "first" && name != "second") continue;
+      const double y = text.attribute("y").as_double();
+      CHECK((is_below ? y > middle && y < bottom : y > top && y < middle));
+      ++names;
+    }
+    CHECK(names == 2);
+  }
+}
+
 TEST_CASE("a page holds each plot's diagram in a grid, with its texts escaped") {
   const std::vector<Plot> plots = {
       {.title = "a < b & \"c\" > d",

@@ -40,6 +40,23 @@ TEST_CASE("without noise to speak of, codes are rounded sRGB") {
         bytes(develop(constant_image(2, 2, 0.4f), 1.0, quiet, make_stream(0, "n")))[0]);
 }
 
+TEST_CASE("contrast is a power about middle gray, and 1 is none") {
+  const auto code = [](double linear, double contrast) {
+    const SensorSettings quiet{.full_well_e = 1e12, .read_noise_e = 0, .contrast = contrast};
+    return int(
+        bytes(develop(constant_image(1, 1, static_cast<float>(linear)), 1, quiet, make_stream(0, "n")))[0]);
+  };
+  for (double contrast : {.6, 1., 1.7})
+    for (double linear : {.02, .09, .18, .4, .9}) {
+      const double toned = .18 * std::pow(linear / .18, contrast);
+      // The code whose light is nearest; on its border, either.
+      CHECK(std::abs(code(linear, contrast) - code(toned, 1)) <= (contrast == 1 ? 0 : 1));
+    }
+  CHECK(code(.09, 1.7) < code(.09, 1));
+  CHECK(code(.5, 1.7) > code(.5, 1));
+  CHECK(code(.18, 3) == code(.18, 1));
+}
+
 TEST_CASE("noise has the variance of shot plus read noise") {
   const int side = 400;
   const double signal = 0.2, full_well = 1000, read = 5;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "trainer/calibration/seen_hfov.h"
+
 namespace cps {
 namespace {
 
@@ -15,16 +17,32 @@ Outputs apparent_scale(double fov, int width, int height) {
   return {1, r2, r2 * r2, r2 * r2 * r2, half_diagonal, half_diagonal, 1, 1};
 }
 
+Outputs to_apparent(Outputs outputs, TargetSpace from, int width, int height) {
+  if (from == TargetSpace::seen) outputs[0] = label_from_seen_fov(outputs, width, height);
+  if (from != TargetSpace::raw) return outputs;
+  const Outputs scale = apparent_scale(outputs[0], width, height);
+  for (int i = 0; i < output_count; ++i) outputs[i] *= scale[i];
+  return outputs;
+}
+
+Outputs from_apparent(Outputs outputs, TargetSpace to, int width, int height) {
+  if (to == TargetSpace::seen) outputs[0] = seen_from_label_fov(outputs, width, height);
+  if (to != TargetSpace::raw) return outputs;
+  const Outputs scale = apparent_scale(outputs[0], width, height);
+  for (int i = 0; i < output_count; ++i) outputs[i] /= scale[i];
+  return outputs;
+}
+
 }  // namespace
 
 std::string to_string(TargetSpace space) {
-  return space == TargetSpace::raw ? "raw" : "apparent";
+  return space == TargetSpace::raw ? "raw" : space == TargetSpace::apparent ? "apparent" : "seen";
 }
 
 TargetSpace target_space_from_string(const std::string& word) {
-  if (word == "raw") return TargetSpace::raw;
-  if (word == "apparent") return TargetSpace::apparent;
-  throw std::runtime_error("target space '" + word + "': unknown: use raw or apparent");
+  for (TargetSpace space : {TargetSpace::raw, TargetSpace::apparent, TargetSpace::seen})
+    if (word == to_string(space)) return space;
+  throw std::runtime_error("target space '" + word + "': unknown: use raw, apparent or seen");
 }
 
 Outputs to_outputs(const CalibratedCamera& camera, TargetSpace space) {
@@ -48,11 +66,7 @@ std::optional<CalibratedCamera> to_camera(const Outputs& outputs, TargetSpace sp
 
 Outputs convert(const Outputs& outputs, TargetSpace from, TargetSpace to, int width, int height) {
   if (from == to) return outputs;
-  const Outputs scale = apparent_scale(outputs[0], width, height);
-  Outputs converted = outputs;
-  for (int i = 0; i < output_count; ++i)
-    converted[i] = to == TargetSpace::apparent ? outputs[i] * scale[i] : outputs[i] / scale[i];
-  return converted;
+  return from_apparent(to_apparent(outputs, from, width, height), to, width, height);
 }
 
 Standardisation fit_standardisation(std::span<const Outputs> targets) {

@@ -19,7 +19,9 @@ inline constexpr std::array<const char*, output_count> output_names{"fov", "k1",
 /// apparent: the same, but coefficients scaled by the frame's half diagonal R on the plane z = 1
 /// (k1 R², k2 R⁴, k3 R⁶, p R). That measures the visible bend: the raw coefficients of one and the same
 /// visible bend grow without bound as the H-FOV shrinks.
-enum class TargetSpace { raw, apparent };
+/// seen: as apparent, but with the H-FOV that the image sees (calibration/seen_hfov.h) instead of the
+/// label's.
+enum class TargetSpace { raw, apparent, seen };
 
 std::string to_string(TargetSpace space);
 /// Throws std::runtime_error on any other word.

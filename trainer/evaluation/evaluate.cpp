@@ -1,15 +1,10 @@
 #include "trainer/evaluation/evaluate.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <array>
-#include <cmath>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "numbers/angles.h"
 #include "trainer/evaluation/bootstrap.h"
 #include "trainer/evaluation/predicted_cameras.h"
 #include "trainer/evaluation/read_pictures.h"
@@ -38,16 +33,28 @@ Outputs centred_without_distortion(double fov, const Pinhole& camera) {
   return to_outputs({"", pinhole_from_hfov(camera.width, camera.height, fov), {}}, TargetSpace::raw);
 }
 
-std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSet& set,
-                                  const std::vector<NetworkImage>& images) {
-  const ModelCard& card = predictor.card();
-  const TargetSpace space = card.options.target_space;
+/// They point into `images`.
+std::vector<BatchImage> batch_of(const EvaluationSet& set, const std::vector<NetworkImage>& images) {
   std::vector<BatchImage> batch;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Pinhole& camera = set.images[i].truth.pinhole;
     batch.push_back(batch_image(images[i], {camera.width, camera.height}));
   }
-  const std::vector<Outputs> predicted = predictor(batch);
+  return batch;
+}
+
+std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSet& set,
+                                  std::span<const BatchImage> batch) {
+  const ModelCard& card = predictor.card();
+  const TargetSpace space = card.options.target_space;
+  std::vector<Outputs> predicted;
+  std::vector<LensPosterior> posteriors;
+  if (is_fit(card.options.head)) {
+    posteriors = predictor.posteriors(batch);
+    for (const LensPosterior& posterior : posteriors) predicted.push_back(posterior.mean);
+  } else {
+    predicted = predictor(batch);
+  }
   std::vector<EvaluatedImage> judged(set.images.size());
   tbb::parallel_for(std::size_t{0}, judged.size(), [&](std::size_t i) {
     const EvaluationImage& image = set.images[i];
@@ -59,27 +66,37 @@ std::vector<EvaluatedImage> judge(const Predictor& predictor, const EvaluationSe
       return image_errors({&image.truth, image.rays.get(), outputs});
     };
     judged[i] = {image, raw(predicted[i]), errors(raw(predicted[i])), errors(raw(card.targets.mean)),
-                 errors(centred_without_distortion(card.targets.mean[0], camera))};
+                 errors(centred_without_distortion(raw(card.targets.mean)[0], camera))};
+    if (posteriors.empty()) return;
+    const auto deviation = [&](TargetSpace to) {
+      return convert(posteriors[i], space, to, camera.width, camera.height).deviation();
+    };
+    judged[i].deviation = deviation(TargetSpace::raw);
+    judged[i].apparent_deviation = deviation(TargetSpace::apparent);
   });
   return judged;
 }
 
-/// Over the chosen images; repeated ones count repeatedly.
-LensErrors summary_of(const std::vector<EvaluatedImage>& images, std::span<const int> chosen,
-                      ImageErrors EvaluatedImage::*of) {
-  std::vector<ImageErrors> errors;
-  std::vector<double> fov;
+/// Of the chosen images' k1 in apparent space, which is true_k1[i] for image i; repeated ones count
+/// repeatedly.
+double k1_r2(const std::vector<EvaluatedImage>& images, std::span<const double> true_k1,
+             std::span<const int> chosen) {
+  std::vector<double> truth, error;
   for (int i : chosen) {
-    errors.push_back(images[i].*of);
-    fov.push_back(hfov_rad(images[i].image.truth.pinhole));
+    truth.push_back(true_k1[i]);
+    error.push_back(images[i].network.apparent[1]);
   }
-  return summarise(errors, fov);
+  return r_squared(truth, error);
 }
 
 Headline headline(const std::vector<EvaluatedImage>& images, std::span<const int> all,
                   const EvaluationOptions& options) {
   std::vector<int> clusters;
-  for (const EvaluatedImage& image : images) clusters.push_back(image.image.cluster);
+  std::vector<double> true_k1;
+  for (const EvaluatedImage& image : images) {
+    clusters.push_back(image.image.cluster);
+    true_k1.push_back(to_outputs(image.image.truth, TargetSpace::apparent)[1]);
+  }
   const auto numbers = [&](std::span<const int> chosen) {
     const LensErrors network = summary_of(images, chosen, &EvaluatedImage::network),
                      mean = summary_of(images, chosen, &EvaluatedImage::training_mean);
@@ -89,45 +106,43 @@ Headline headline(const std::vector<EvaluatedImage>& images, std::span<const int
                        network.reprojection_mean_px,
                        network.reprojection_median_px,
                        network.hfov_mean_deg / mean.hfov_mean_deg,
-                       network.reprojection_mean_px / mean.reprojection_mean_px};
+                       network.reprojection_mean_px / mean.reprojection_mean_px,
+                       k1_r2(images, true_k1, chosen)};
   };
   const std::vector<double> value = numbers(all);
   const std::vector<Interval> interval =
       bootstrap_intervals(clusters, numbers, options.resamples, make_stream(options.seed, "bootstrap"));
   const auto estimate = [&](int i) { return Estimate{value[i], interval[i]}; };
-  return {estimate(0), estimate(1), estimate(2), estimate(3), estimate(4), estimate(5), estimate(6)};
+  return {estimate(0), estimate(1), estimate(2), estimate(3),
+          estimate(4), estimate(5), estimate(6), estimate(7)};
 }
 
 RayComparison ray_comparison(const Predictor& predictor, const std::vector<EvaluatedImage>& images,
                              const EvaluationOptions& options) {
   std::vector<RayErrors> network(images.size()), mean(images.size());
   std::vector<int> clusters;
+  std::vector<std::string> cameras;
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) {
     const EvaluationImage& image = images[i].image;
     const ImageSize size{image.truth.pinhole.width, image.truth.pinhole.height};
     network[i] = ray_errors(*image.ray_truth, predicted_camera(images[i].predicted, TargetSpace::raw, size));
     mean[i] = ray_errors(*image.ray_truth, training_mean_camera(predictor.card(), size));
   });
-  for (const EvaluatedImage& image : images) clusters.push_back(image.image.cluster);
-  return compare_rays(network, mean, clusters, options.resamples, options.seed);
+  for (const EvaluatedImage& image : images) {
+    clusters.push_back(image.image.cluster);
+    cameras.push_back(image.image.camera);
+  }
+  return compare_rays(network, mean, clusters, cameras, options.resamples, options.seed);
 }
 
-std::vector<EvaluationBin> bins_of(const std::vector<EvaluatedImage>& images) {
-  std::map<std::pair<int, std::string>, std::vector<int>> members;  // kind, name
-  for (int i = 0; i < static_cast<int>(images.size()); ++i) {
-    const EvaluationImage& image = images[i].image;
-    const int tens = static_cast<int>(std::floor(degrees(hfov_rad(image.truth.pinhole)) / 10)) * 10;
-    members[{0, fmt::format("{:3} to {:3} deg", tens, tens + 10)}].push_back(i);
-    members[{1, fmt::format("{}x{}", image.truth.pinhole.width, image.truth.pinhole.height)}].push_back(i);
-    members[{2, image.camera}].push_back(i);
+std::optional<Coverage> stated_coverage(const std::vector<EvaluatedImage>& images) {
+  if (!images.front().deviation) return std::nullopt;
+  std::vector<Outputs> errors, deviations;
+  for (const EvaluatedImage& image : images) {
+    errors.push_back(image.network.raw);
+    deviations.push_back(*image.deviation);
   }
-  static constexpr std::array kinds{"H-FOV", "size", "camera"};
-  std::vector<EvaluationBin> bins;
-  for (const auto& [key, chosen] : members)
-    bins.push_back({kinds[key.first], key.second, static_cast<int>(chosen.size()),
-                    summary_of(images, chosen, &EvaluatedImage::network),
-                    summary_of(images, chosen, &EvaluatedImage::training_mean)});
-  return bins;
+  return coverage_of(errors, deviations);
 }
 
 }  // namespace
@@ -144,7 +159,8 @@ Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
   const std::vector<NetworkImage> images = read_images(set, network, options.skip_bad_images, result.skipped);
   if (images.empty()) throw std::runtime_error(set.name + ": no image is left to measure");
   result.set = set.name;
-  result.images = judge(predictor, set, images);
+  const std::vector<BatchImage> batch = batch_of(set, images);
+  result.images = judge(predictor, set, batch);
   std::vector<int> all(result.images.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   result.network = summary_of(result.images, all, &EvaluatedImage::network);
@@ -152,7 +168,10 @@ Evaluation evaluate(const Predictor& predictor, const EvaluationSet& whole,
   result.centre = summary_of(result.images, all, &EvaluatedImage::centre);
   result.headline = headline(result.images, all, options);
   result.rays = ray_comparison(predictor, result.images, options);
-  result.bins = bins_of(result.images);
+  result.coverage = stated_coverage(result.images);
+  result.bins = bins_of(result.images, options.resamples, options.seed);
+  if (is_fit(network.head)) result.edges = trusted_edges(predictor, result.images, batch);
+  if (options.per_camera) result.cameras = evaluate_cameras(predictor, result.images, batch);
   if (options.robustness) {
     const auto picture = [&](std::size_t i) {
       if (!network.orientation.measured) return images[i].gray;

@@ -45,12 +45,14 @@ RayEvaluation evaluate_rays(const Predictor& predictor, const RaySet& set, const
                        .skipped = read.skipped};
   std::vector<RayErrors> network, mean;
   std::vector<int> clusters;
+  std::vector<std::string> cameras;
   for (const RayEvaluatedImage& image : result.images) {
     network.push_back(image.network);
     mean.push_back(image.training_mean);
     clusters.push_back(image.image.cluster);
+    cameras.push_back(image.image.camera);
   }
-  result.comparison = compare_rays(network, mean, clusters, options.resamples, options.seed);
+  result.comparison = compare_rays(network, mean, clusters, cameras, options.resamples, options.seed);
   return result;
 }
 

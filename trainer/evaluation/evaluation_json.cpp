@@ -48,7 +48,32 @@ Json to_json(const Headline& h) {
           {"reprojection_mean_px", to_json(h.reprojection_mean_px)},
           {"reprojection_median_px", to_json(h.reprojection_median_px)},
           {"hfov_ratio", to_json(h.hfov_ratio)},
-          {"reprojection_ratio", to_json(h.reprojection_ratio)}};
+          {"reprojection_ratio", to_json(h.reprojection_ratio)},
+          {"k1_r2", to_json(h.k1_r2)}};
+}
+
+Json to_json(const EvaluationBin& bin) {
+  return {{"kind", bin.kind},
+          {"name", bin.name},
+          {"images", bin.images},
+          {"network", to_json(bin.network)},
+          {"training_mean", to_json(bin.training_mean)},
+          {"intervals_95",
+           {{"hfov_mean_deg", to_json(Estimate{bin.network.hfov_mean_deg, bin.hfov_interval_deg})},
+            {"reprojection_mean_px",
+             to_json(Estimate{bin.network.reprojection_mean_px, bin.reprojection_interval_px})}}}};
+}
+
+/// The points of the reliability curve in columns: the number of deviations, a normal distribution's share
+/// within them, and that of the errors of each output.
+Json reliability_json(const Coverage& coverage) {
+  Json json{{"deviations", Json::array()}, {"normal", Json::array()}};
+  for (int point = 0; point < reliability_points; ++point) {
+    json["deviations"].push_back(reliability_deviations(point));
+    json["normal"].push_back(normal_share(reliability_deviations(point)));
+    for (int i = 0; i < output_count; ++i) json[output_names[i]].push_back(coverage.within[point][i]);
+  }
+  return json;
 }
 
 Json to_json(const EvaluatedImage& image) {
@@ -61,6 +86,7 @@ Json to_json(const EvaluatedImage& image) {
             {"said", named(image.predicted)},
             {"hfov_error_deg", image.network.hfov_deg},
             {"folds", image.network.folds}};
+  if (image.deviation) json["deviation"] = named(*image.deviation);
   json["reprojection_px"] =
       image.network.reprojection_px ? Json(*image.network.reprojection_px) : Json(nullptr);
   return json;
@@ -77,12 +103,7 @@ Json to_json(const Evaluation& evaluation) {
             {"training_mean", to_json(evaluation.training_mean)},
             {"centre", to_json(evaluation.centre)}};
   json["bins"] = Json::array();
-  for (const EvaluationBin& bin : evaluation.bins)
-    json["bins"].push_back({{"kind", bin.kind},
-                            {"name", bin.name},
-                            {"images", bin.images},
-                            {"network", to_json(bin.network)},
-                            {"training_mean", to_json(bin.training_mean)}});
+  for (const EvaluationBin& bin : evaluation.bins) json["bins"].push_back(to_json(bin));
   json["robustness"] = Json::array();
   for (const RobustnessRow& row : evaluation.robustness)
     json["robustness"].push_back({{"name", row.name},
@@ -90,6 +111,13 @@ Json to_json(const Evaluation& evaluation) {
                                   {"hfov_mean_deg", row.hfov_mean_deg},
                                   {"reprojection_mean_px", row.reprojection_mean_px}});
   json["rays"] = to_json(evaluation.rays);
+  if (const auto& coverage = evaluation.coverage) {
+    json["coverage"] = {{"within_one", named(coverage->within_one)},
+                        {"within_two", named(coverage->within_two)},
+                        {"scaled_error", named(coverage->scaled_error)}};
+    json["reliability"] = reliability_json(*coverage);
+  }
+  if (!evaluation.cameras.empty()) json["cameras"] = to_json(evaluation.cameras);
   json["images"] = Json::array();
   for (const EvaluatedImage& image : evaluation.images) json["images"].push_back(to_json(image));
   return json;

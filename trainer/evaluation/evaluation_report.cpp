@@ -45,7 +45,8 @@ std::string headline_rows(const Headline& h) {
          estimate_row("reprojection, mean", "px", h.reprojection_mean_px) +
          estimate_row("reprojection, median", "px", h.reprojection_median_px) +
          estimate_row("H-FOV error by train mean's", "", h.hfov_ratio) +
-         estimate_row("reprojection by train mean's", "", h.reprojection_ratio);
+         estimate_row("reprojection by train mean's", "", h.reprojection_ratio) +
+         estimate_row("k1 apparent, R squared", "", h.k1_r2);
 }
 
 std::string bin_rows(const std::vector<EvaluationBin>& bins) {
@@ -65,6 +66,17 @@ std::string robustness_rows(const std::vector<RobustnessRow>& rows) {
   for (const RobustnessRow& r : rows)
     text += fmt::format("{:<24} {:10.4g} {:16.4g} {:16.4g}\n", r.name, r.loss, r.hfov_mean_deg,
                         r.reprojection_mean_px);
+  return text;
+}
+
+std::string coverage_rows(const std::optional<Coverage>& coverage) {
+  if (!coverage) return "";
+  std::string text = fmt::format("\n{:<24} {:>12} {:>12} {:>24}\n", "errors within deviations", "one", "two",
+                                 "rms error / deviation");
+  for (int i = 0; i < output_count; ++i)
+    text +=
+        fmt::format("{:<24} {:10.1f} % {:10.1f} % {:24.3g}\n", output_names[i], 100 * coverage->within_one[i],
+                    100 * coverage->within_two[i], coverage->scaled_error[i]);
   return text;
 }
 
@@ -101,7 +113,8 @@ std::string Evaluation::report() const {
   text += output_rows("MSE", columns, &LensErrors::raw_mse, 0, output_count, "");
   text += output_rows("RMSE", columns, &LensErrors::raw_rmse, 0, output_count, "");
   text += output_rows("MAE", columns, &LensErrors::apparent_mae, 1, 6, " apparent");
-  text += cps::report(rays) + bin_rows(bins) + robustness_rows(robustness) + headline_rows(headline);
+  text += cps::report(rays) + bin_rows(bins) + cps::report(cameras) + coverage_rows(coverage) +
+          robustness_rows(robustness) + headline_rows(headline);
   return text +
          fmt::format("H-FOV error {:.0f} % {} the training mean's; reprojection error {:.0f} % {}\n",
                      100 * std::abs(1 - network.hfov_mean_deg / training_mean.hfov_mean_deg),

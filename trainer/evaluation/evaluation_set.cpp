@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "dataset/exchange/camera_pictures.h"
+#include "trainer/images/places.h"
 #include "trainer/training/samples.h"
 
 namespace cps {
@@ -17,21 +18,13 @@ std::shared_ptr<const RayGrid> shared(std::optional<RayGrid> rays, const std::st
   return std::make_shared<const RayGrid>(std::move(*rays));
 }
 
-/// What all images of one place have in common, and no others of the dataset.
-std::string place_of(const DatasetGroup& group, const fs::path& image) {
-  const fs::path set = group.folder.parent_path();
-  if (set.string().ends_with("_panoramas")) return (set / group.label.rig_camera).string();
-  return (set / image.filename()).string();
-}
-
 }  // namespace
 
 std::vector<int> place_clusters(const Dataset& dataset, std::span<const int> images) {
   std::map<std::string, int> places;
   std::vector<int> clusters;
   for (int i : images) {
-    const DatasetImage& image = dataset.images[i];
-    const std::string place = place_of(dataset.groups[image.group], image.file);
+    const std::string place = place_of(dataset, dataset.images[i]);
     clusters.push_back(places.try_emplace(place, static_cast<int>(places.size())).first->second);
   }
   return clusters;
@@ -56,7 +49,7 @@ EvaluationSet evaluation_set(const Dataset& dataset, Part part) {
       rays.truth = ray_truth(truth, *rays.grid, shape);
     }
     set.images.push_back({dataset.root / image.file, image.file.string(), group.label.rig_camera, truth,
-                          rays.grid, clusters[k], rays.truth});
+                          rays.grid, clusters[k], rays.truth, group.folder.string()});
   }
   if (set.images.empty())
     throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
@@ -69,9 +62,10 @@ EvaluationSet kitti_evaluation_set(const fs::path& folder) {
   for (const CameraPictures& pictures : kitti_raw(folder)) {
     const auto rays = shared(ray_grid(pictures.camera), folder.string() + ": camera " + pictures.camera.name);
     const auto truth = ray_truth(pictures.camera, *rays, frame_on_plane(pictures.camera.pinhole));
+    const std::string name = "KITTI " + pictures.camera.name;
     for (const fs::path& file : pictures.files)
-      set.images.push_back({file, file.lexically_relative(folder).string(), "KITTI " + pictures.camera.name,
-                            pictures.camera, rays, static_cast<int>(set.images.size()), truth});
+      set.images.push_back({file, file.lexically_relative(folder).string(), name, pictures.camera, rays,
+                            static_cast<int>(set.images.size()), truth, name});
   }
   return set;
 }
@@ -82,7 +76,7 @@ EvaluationSet picture_evaluation_set(const fs::path& folder, const CalibratedCam
   const auto truth = ray_truth(camera, *rays, frame_on_plane(camera.pinhole));
   for (const fs::path& file : pictures_in(folder))
     set.images.push_back({file, file.filename().string(), camera.name, camera, rays,
-                          static_cast<int>(set.images.size()), truth});
+                          static_cast<int>(set.images.size()), truth, camera.name});
   return set;
 }
 

@@ -22,6 +22,9 @@ struct EvaluationImage {
   std::shared_ptr<const RayGrid> rays;  ///< of the truth
   int cluster = 0;                      ///< equal for images of one place: see bootstrap_intervals()
   std::shared_ptr<const RayTruth> ray_truth = {};
+  /// Names the one camera, lens included, that took it and others: the leaf folder in a dataset, else
+  /// `camera`.
+  std::string taken_by = {};
 };
 
 /// Pictures to measure a network on.

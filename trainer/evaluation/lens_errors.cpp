@@ -52,6 +52,16 @@ double quantile(std::vector<double> values, double q) {
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
+double r_squared(std::span<const double> truth, std::span<const double> error) {
+  const double mean_truth = mean({truth.begin(), truth.end()});
+  double squared = 0, spread = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    squared += error[i] * error[i];
+    spread += (truth[i] - mean_truth) * (truth[i] - mean_truth);
+  }
+  return spread > 1e-18 * static_cast<double>(truth.size()) ? 1 - squared / spread : 0;
+}
+
 ImageErrors image_errors(const LensPrediction& prediction) {
   const Pinhole& camera = prediction.truth->pinhole;
   const Outputs truth = to_outputs(*prediction.truth, TargetSpace::raw);

@@ -58,6 +58,11 @@ struct LensErrors {
 /// Quantile q of a sample, by linear interpolation between order statistics; 0 for an empty one.
 double quantile(std::vector<double> values, double q);
 
+/// Coefficient of determination: 1 − mean squared error / variance of the truth. 1 where there is no error, 0
+/// for always predicting the mean of these very truths, less where that were better; 0 also if the truth does
+/// not vary. Entry i of both arguments belongs to image i.
+double r_squared(std::span<const double> truth, std::span<const double> error);
+
 /// Means, medians and quantiles of the errors. Entry i of both arguments belongs to image i.
 LensErrors summarise(std::span<const ImageErrors> errors, std::span<const double> true_fov_rad);
 

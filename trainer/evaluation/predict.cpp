@@ -4,32 +4,19 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "dataset/labels/label.h"
 #include "distortion/label_algebra.h"
-#include "files/files.h"
 #include "numbers/angles.h"
 #include "trainer/calibration/reprojection.h"
+#include "trainer/evaluation/camera_numbers.h"
+#include "trainer/evaluation/truth_beside.h"
 #include "trainer/images/augmentation.h"
 #include "trainer/images/network_image.h"
 #include "trainer/images/orientation/measure.h"
 
 namespace cps {
 namespace {
-
-/// The camera in calibration.json beside the image, if there is one.
-std::optional<CalibratedCamera> truth_beside(const std::filesystem::path& image, const ImageSize& size) {
-  const std::filesystem::path file = image.parent_path() / "calibration.json";
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  const Label label = label_from_json(read_json(file), file.string());
-  if (ImageSize{label.camera.width, label.camera.height} != size)
-    throw std::runtime_error(
-        fmt::format("{}: is {}x{}, not the size in its calibration.json: move one of them to another folder",
-                    image.string(), size.width, size.height));
-  return CalibratedCamera{label.rig_camera, label.camera, label.distortion};
-}
 
 /// The outputs for an image, from those for its mirror image.
 Outputs unmirrored(Outputs raw, const ImageSize& size) {
@@ -84,44 +71,6 @@ Outputs spread_of(const Predictor& predictor, const std::vector<NetworkImage>& v
   return spread;
 }
 
-/// A row of the table: H-FOV in degrees, the principal point in pixels.
-struct Row {
-  const char* name;
-  const char* unit;
-  double (*value)(const CalibratedCamera&);
-  int output;
-  double (*unit_of_spread)(const CalibratedCamera&);  ///< of one raw unit
-};
-
-double one(const CalibratedCamera&) {
-  return 1;
-}
-
-constexpr Row rows[] = {
-    {"H-FOV", "deg", [](const CalibratedCamera& c) { return degrees(hfov_rad(c.pinhole)); }, 0,
-     [](const CalibratedCamera&) { return degrees(1); }},
-    {"k1", "", [](const CalibratedCamera& c) { return c.distortion.k1; }, 1, one},
-    {"k2", "", [](const CalibratedCamera& c) { return c.distortion.k2; }, 2, one},
-    {"k3", "", [](const CalibratedCamera& c) { return c.distortion.k3; }, 3, one},
-    {"p1", "", [](const CalibratedCamera& c) { return c.distortion.p1; }, 4, one},
-    {"p2", "", [](const CalibratedCamera& c) { return c.distortion.p2; }, 5, one},
-    {"cx", "px", [](const CalibratedCamera& c) { return c.pinhole.cx; }, 6,
-     [](const CalibratedCamera& c) { return double(c.pinhole.width); }},
-    {"cy", "px", [](const CalibratedCamera& c) { return c.pinhole.cy; }, 7,
-     [](const CalibratedCamera& c) { return double(c.pinhole.height); }},
-};
-
-nlohmann::ordered_json to_json(const CalibratedCamera& c) {
-  return {{"fov", degrees(hfov_rad(c.pinhole))},
-          {"k1", c.distortion.k1},
-          {"k2", c.distortion.k2},
-          {"k3", c.distortion.k3},
-          {"p1", c.distortion.p1},
-          {"p2", c.distortion.p2},
-          {"cx", c.pinhole.cx},
-          {"cy", c.pinhole.cy}};
-}
-
 }  // namespace
 
 std::vector<ImagePrediction> predict_images(const Predictor& predictor,
@@ -139,11 +88,24 @@ std::vector<ImagePrediction> predict_images(const Predictor& predictor,
   std::vector<BatchImage> images;
   for (std::size_t i = 0; i < reduced.size(); ++i)
     images.push_back(batch_image(reduced[i], predictions[i].size));
-  const std::vector<Outputs> predicted = predictor(images);
+  const auto raw = [&](const auto& said, const ImageSize& size) {
+    return convert(said, options.target_space, TargetSpace::raw, size.width, size.height);
+  };
+  if (is_fit(options.head)) {
+    const std::vector<LensPosterior> posteriors = predictor.posteriors(images);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      const LensPosterior posterior = raw(posteriors[i], predictions[i].size);
+      predictions[i].raw = posterior.mean;
+      predictions[i].deviation = posterior.deviation();
+    }
+  } else {
+    const std::vector<Outputs> predicted = predictor(images);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      predictions[i].raw = raw(predicted[i], predictions[i].size);
+  }
 
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
+  for (std::size_t i = 0; i < predictions.size(); ++i) {
     ImagePrediction& p = predictions[i];
-    p.raw = convert(predicted[i], options.target_space, TargetSpace::raw, p.size.width, p.size.height);
     p.camera = to_camera(p.raw, TargetSpace::raw, p.size.width, p.size.height);
     if (p.camera) p.camera->name = p.file.stem().string();
     p.is_one_to_one = p.camera && is_one_to_one(*p.camera);
@@ -165,13 +127,16 @@ std::string report(std::span<const ImagePrediction> predictions) {
       continue;
     }
     const bool has_spread = p.spread != Outputs{};
-    text += fmt::format("  {:<10} {:>12} {:>12} {:>12}\n", "", "predicted", has_spread ? "spread" : "",
+    text += fmt::format("  {:<10} {:>12}{} {:>12} {:>12}\n", "", "predicted",
+                        p.deviation ? fmt::format(" {:>12}", "deviation") : "", has_spread ? "spread" : "",
                         p.truth ? "true" : "");
-    for (const Row& row : rows) {
-      text += fmt::format("  {:<5} {:<4} {:12.5g}", row.name, row.unit, row.value(*p.camera));
-      text += has_spread ? fmt::format(" {:12.3g}", p.spread[row.output] * row.unit_of_spread(*p.camera))
+    for (int i = 0; i < output_count; ++i) {
+      const CameraNumber& number = camera_numbers()[i];
+      text += fmt::format("  {:<5} {:<4} {:12.5g}", number.name, number.unit, number.value(*p.camera));
+      if (p.deviation) text += fmt::format(" {:12.3g}", (*p.deviation)[i] * number.unit_of_raw(*p.camera));
+      text += has_spread ? fmt::format(" {:12.3g}", p.spread[i] * number.unit_of_raw(*p.camera))
                          : std::string(13, ' ');
-      if (p.truth) text += fmt::format(" {:12.5g}", row.value(*p.truth));
+      if (p.truth) text += fmt::format(" {:12.5g}", number.value(*p.truth));
       text += "\n";
     }
     if (!p.is_one_to_one) text += "  the predicted lens folds inside the frame\n";
@@ -189,19 +154,13 @@ nlohmann::ordered_json to_json(std::span<const ImagePrediction> predictions) {
   for (const ImagePrediction& p : predictions) {
     nlohmann::ordered_json entry{
         {"file", p.file.string()}, {"width", p.size.width}, {"height", p.size.height}};
-    entry["prediction"] = p.camera ? to_json(*p.camera) : nlohmann::ordered_json(nullptr);
+    entry["prediction"] = p.camera ? numbers_json(*p.camera) : nlohmann::ordered_json(nullptr);
     entry["one_to_one"] = p.is_one_to_one;
     if (p.certified)
-      entry["certified"] = {{"calibration", to_json(p.certified->camera)}, {"kept", p.certified->kept}};
-    if (p.spread != Outputs{}) {
-      nlohmann::ordered_json spread;
-      for (int i = 0; i < output_count; ++i) spread[output_names[i]] = p.spread[i];
-      spread["fov"] = degrees(p.spread[0]);
-      spread["cx"] = p.spread[6] * p.size.width;
-      spread["cy"] = p.spread[7] * p.size.height;
-      entry["spread"] = spread;
-    }
-    if (p.truth) entry["truth"] = to_json(*p.truth);
+      entry["certified"] = {{"calibration", numbers_json(p.certified->camera)}, {"kept", p.certified->kept}};
+    if (p.deviation) entry["deviation"] = numbers_json(*p.deviation, p.size);
+    if (p.spread != Outputs{}) entry["spread"] = numbers_json(p.spread, p.size);
+    if (p.truth) entry["truth"] = numbers_json(*p.truth);
     if (p.reprojection_px) entry["reprojection_px"] = *p.reprojection_px;
     list.push_back(entry);
   }

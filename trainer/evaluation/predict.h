@@ -20,6 +20,7 @@ struct ImagePrediction {
   std::optional<CalibratedCamera> camera{};  ///< named after the file; empty: the H-FOV is outside 0…180°
   bool is_one_to_one = false;                ///< false: the predicted lens folds inside its frame
   Outputs spread{};                          ///< raw; see PredictOptions::variants
+  std::optional<Outputs> deviation{};        ///< raw standard deviations; only of a head with a fit
   std::optional<CertifiedLens> certified{};  ///< pull_to_certified(*camera)
   std::optional<CalibratedCamera> truth{};   ///< from calibration.json beside the image
   std::optional<double> reprojection_px{};   ///< error against the truth

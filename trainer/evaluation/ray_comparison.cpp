@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 #include <numeric>
 
 #include "trainer/evaluation/bootstrap.h"
@@ -35,6 +36,58 @@ nlohmann::ordered_json summary_json(const RaySummary& summary) {
   json["without_reprojection"] = summary.without_reprojection;
   json["without_seen_hfov"] = summary.without_seen_hfov;
   return json;
+}
+
+/// Of all these images, whatever their cameras.
+RayComparison compare_all_rays(std::span<const RayErrors> network, std::span<const RayErrors> training_mean,
+                               std::span<const int> clusters, int resamples, Stream stream) {
+  const auto statistics = [&](std::span<const int> chosen) {
+    std::vector<RayErrors> errors;
+    for (int i : chosen) errors.push_back(network[i]);
+    const RaySummary summary = summarise(errors);
+    std::vector<double> values;
+    for (const RayNumber& number : numbers_of_rays) values.push_back(summary.*number.value);
+    return values;
+  };
+  return {.camera = {},
+          .network = summarise(network),
+          .training_mean = summarise(training_mean),
+          .intervals = bootstrap_intervals(clusters, statistics, resamples, stream),
+          .by_camera = {}};
+}
+
+/// A mean of a camera's row, and the images that it leaves out.
+struct CameraNumber {
+  const char* name;
+  double RaySummary::*value;
+  int RaySummary::*without;
+};
+constexpr std::array<CameraNumber, 4> camera_numbers{{
+    {"seen H-FOV", &RaySummary::seen_hfov_mean_deg, &RaySummary::without_seen_hfov},
+    {"rays, deg", &RaySummary::angle_mean_deg, &RaySummary::without_angles},
+    {"turned", &RaySummary::turned_mean_deg, &RaySummary::without_angles},
+    {"pixels", &RaySummary::reprojection_mean_px, &RaySummary::without_reprojection},
+}};
+
+/// A dash where no image has the number, which would read as no error.
+std::string camera_cell(const RaySummary& summary, const CameraNumber& number) {
+  if (summary.*number.without == summary.images) return fmt::format(" {:>10}", "-");
+  return fmt::format(" {:10.4g}", summary.*number.value);
+}
+
+std::string camera_rows(const std::vector<RayComparison>& cameras) {
+  if (cameras.empty()) return "";
+  std::string text = fmt::format("\n{:<24} {:>6}", "mean errors by camera", "images");
+  for (const CameraNumber& number : camera_numbers)
+    text += fmt::format(" {:>10} {:>10}", number.name, "mean's");
+  text += "\n";
+  for (const RayComparison& camera : cameras) {
+    text += fmt::format("{:<24} {:6}", camera.camera, camera.network.images);
+    for (const CameraNumber& number : camera_numbers)
+      text += camera_cell(camera.network, number) + camera_cell(camera.training_mean, number);
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -72,17 +125,26 @@ RaySummary summarise(std::span<const RayErrors> errors) {
 }
 
 RayComparison compare_rays(std::span<const RayErrors> network, std::span<const RayErrors> training_mean,
-                           std::span<const int> clusters, int resamples, std::uint64_t seed) {
-  const auto statistics = [&](std::span<const int> chosen) {
-    std::vector<RayErrors> errors;
-    for (int i : chosen) errors.push_back(network[i]);
-    const RaySummary summary = summarise(errors);
-    std::vector<double> values;
-    for (const RayNumber& number : numbers_of_rays) values.push_back(summary.*number.value);
-    return values;
-  };
-  return {summarise(network), summarise(training_mean),
-          bootstrap_intervals(clusters, statistics, resamples, make_stream(seed, "bootstrap of rays"))};
+                           std::span<const int> clusters, std::span<const std::string> cameras, int resamples,
+                           std::uint64_t seed) {
+  const Stream stream = make_stream(seed, "bootstrap of rays");
+  RayComparison all = compare_all_rays(network, training_mean, clusters, resamples, stream);
+  std::map<std::string, std::vector<int>> images_of;
+  for (int i = 0; i < static_cast<int>(cameras.size()); ++i) images_of[cameras[i]].push_back(i);
+  if (images_of.size() < 2) return all;
+  for (const auto& [camera, images] : images_of) {
+    std::vector<RayErrors> its_network, its_mean;
+    std::vector<int> its_clusters;
+    for (int i : images) {
+      its_network.push_back(network[i]);
+      its_mean.push_back(training_mean[i]);
+      its_clusters.push_back(clusters[i]);
+    }
+    all.by_camera.push_back(
+        compare_all_rays(its_network, its_mean, its_clusters, resamples, make_stream(stream.key, camera)));
+    all.by_camera.back().camera = camera;
+  }
+  return all;
 }
 
 std::string report(const RayComparison& c) {
@@ -100,7 +162,7 @@ std::string report(const RayComparison& c) {
   count_row("images without angles", &RaySummary::without_angles);
   count_row("images without reprojection", &RaySummary::without_reprojection);
   count_row("images without seen H-FOV", &RaySummary::without_seen_hfov);
-  return text;
+  return text + camera_rows(c.by_camera);
 }
 
 nlohmann::ordered_json to_json(const RayComparison& c) {
@@ -109,9 +171,15 @@ nlohmann::ordered_json to_json(const RayComparison& c) {
     intervals[numbers_of_rays[k].key] = {{"value", c.network.*numbers_of_rays[k].value},
                                          {"low", c.intervals[k].low},
                                          {"high", c.intervals[k].high}};
-  return {{"intervals_95", intervals},
-          {"network", summary_json(c.network)},
-          {"training_mean", summary_json(c.training_mean)}};
+  nlohmann::ordered_json json{{"intervals_95", intervals},
+                              {"network", summary_json(c.network)},
+                              {"training_mean", summary_json(c.training_mean)}};
+  for (const RayComparison& of_camera : c.by_camera) {
+    nlohmann::ordered_json row = to_json(of_camera);
+    row["camera"] = of_camera.camera;
+    json["by_camera"].push_back(row);
+  }
+  return json;
 }
 
 }  // namespace cps

@@ -33,18 +33,23 @@ RaySummary summarise(std::span<const RayErrors> errors);
 
 /// A network beside the training mean, which ignores the image.
 struct RayComparison {
+  std::string camera;  ///< whose images these are; empty: all
   RaySummary network, training_mean;
   std::vector<Interval> intervals;  ///< 95 %, of the network's ray_numbers()
+  /// The images of each camera alone, in the order of their names; empty where all are of one.
+  std::vector<RayComparison> by_camera;
 };
 
-/// Entry i of the first three arguments belongs to image i. Intervals are bootstrap_intervals() over the
-/// clusters.
+/// Entry i of the first four arguments belongs to image i; `cameras` are names. Intervals are
+/// bootstrap_intervals() over the clusters.
 RayComparison compare_rays(std::span<const RayErrors> network, std::span<const RayErrors> training_mean,
-                           std::span<const int> clusters, int resamples, std::uint64_t seed);
+                           std::span<const int> clusters, std::span<const std::string> cameras, int resamples,
+                           std::uint64_t seed);
 
 /// Aligned lines for the screen.
 std::string report(const RayComparison& comparison);
 
+/// With `by_camera` only where there are several cameras.
 nlohmann::ordered_json to_json(const RayComparison& comparison);
 
 }  // namespace cps

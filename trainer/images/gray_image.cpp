@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
+#include <string>
 
 namespace cps {
 namespace {
@@ -27,6 +29,24 @@ std::vector<Footprint> footprints(int from, int to) {
           static_cast<float>((std::min<double>(end, j + 1) - std::max<double>(begin, j)) / (end - begin)));
   }
   return result;
+}
+
+[[noreturn]] void refuse_gray_image(const std::filesystem::path& file, std::string why) {
+  std::ranges::replace(why, '\n', ' ');
+  throw std::runtime_error(file.string() + ": cannot be read as an image (" + why +
+                           "): restore the file or take it out of the list");
+}
+
+std::unique_ptr<OIIO::ImageInput> open_gray_image(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) refuse_gray_image(file, "no such file");
+  OIIO::ImageSpec as_stored;  // colours not multiplied by alpha
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &as_stored);
+  if (!input) refuse_gray_image(file, OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.depth > 1 || spec.width < 8 || spec.height < 8)
+    refuse_gray_image(file, "not a flat picture of at least 8x8 pixels");
+  return input;
 }
 
 }  // namespace
@@ -79,22 +99,18 @@ GrayImage gray_of(const ImageSize& size, int channels, const std::uint8_t* pixel
   return gray;
 }
 
+ImageSize gray_image_size(const std::filesystem::path& file) {
+  const OIIO::ImageSpec spec = open_gray_image(file)->spec();
+  return {spec.width, spec.height};
+}
+
 GrayImage read_gray_image(const std::filesystem::path& file) {
-  const auto fail = [&](std::string why) {
-    std::ranges::replace(why, '\n', ' ');
-    throw std::runtime_error(file.string() + ": cannot be read as an image (" + why +
-                             "): restore the file or take it out of the list");
-  };
-  if (!std::filesystem::is_regular_file(file)) fail("no such file");
-  OIIO::ImageSpec as_stored;  // colours not multiplied by alpha
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(file.string(), &as_stored);
-  if (!input) fail(OIIO::geterror());
+  const auto input = open_gray_image(file);
   const OIIO::ImageSpec& spec = input->spec();
-  if (spec.depth > 1 || spec.width < 8 || spec.height < 8) fail("not a flat picture of at least 8x8 pixels");
   const int channels = spec.nchannels;
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(spec.width) * spec.height * channels);
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, pixels.data())) fail(input->geterror());
+  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, pixels.data()))
+    refuse_gray_image(file, input->geterror());
   return gray_of({spec.width, spec.height}, channels, pixels.data());
 }
 

@@ -43,6 +43,9 @@ GrayImage area_average(const GrayImage& image, const ImageSize& to);
 /// Interleaved 8-bit pixels as gray: Rec. 709 luma of the first three channels, or the first of one or two.
 GrayImage gray_of(const ImageSize& size, int channels, const std::uint8_t* pixels);
 
+/// The size of an image file, of which only the header is read. Throws as read_gray_image() does.
+ImageSize gray_image_size(const std::filesystem::path& file);
+
 /// Reads any image that OpenImageIO can read, as gray (Rec. 709 luma), at full size. Luma and all averaging
 /// use the encoded values, not linear light, which would spend most of the 8 bits on highlights. Throws
 /// std::runtime_error with one line that starts with the file.

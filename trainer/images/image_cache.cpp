@@ -18,7 +18,7 @@ std::string cache_key(const Dataset& dataset, std::span<const int> images, const
                       const OrientationOptions& orientation) {
   std::string key = "cps gray images 3\ndataset " + dataset_fingerprint(dataset) + "\nwidth " +
                     std::to_string(reduction.width) + " factor " + std::to_string(reduction.factor) + "\n";
-  if (orientation.measured) key += "orientation 1 in width " + std::to_string(orientation.max_width) + "\n";
+  if (orientation.measured) key += "orientation 2 in width " + std::to_string(orientation.max_width) + "\n";
   for (int i : images) {
     const fs::path file = dataset.root / dataset.images[i].file;
     std::error_code no_size, no_time;

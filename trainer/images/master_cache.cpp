@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "dataset/pixels/master_file.h"
+#include "trainer/images/places.h"
 
 namespace cps {
 namespace {
@@ -58,10 +59,11 @@ Master MasterCache::master(int i) const {
 }
 
 MasterCache load_master_cache(const fs::path& dataset, Part part, bool as_luminance, bool skip_bad,
-                              const fs::path& file) {
+                              const fs::path& file, double places_share) {
   MasterCache cache{.masters = {}, .channels = as_luminance ? 1 : 3, .pixels = {}, .skipped = {}};
   for (KeptMaster& master : read_masters(dataset))
     if (master.part == part) cache.masters.push_back(std::move(master));
+  cache.masters = share_of_places(cache.masters, places_share);
   while (!cache.masters.empty()) try {
       std::vector<std::size_t> sizes;
       for (const KeptMaster& m : cache.masters) sizes.push_back(2 * plane_bytes(m.camera, cache.channels));

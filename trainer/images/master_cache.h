@@ -21,11 +21,12 @@ struct MasterCache {
   Master master(int i) const;
 };
 
-/// The masters of `part`, from `file` when it holds exactly these, else read (in parallel) and written there:
-/// 4 bytes per master pixel and channel. Of masters kept as luminance, one channel, only gray images can be
-/// made. Those that are missing or cannot be read are left out if `skip_bad`; otherwise BadBlobs is thrown.
-/// Throws std::runtime_error with one line when the dataset keeps no masters or the part has none.
+/// The masters of a share of the part's places (share_of_places()), from `file` when it holds exactly these,
+/// else read (in parallel) and written there: 4 bytes per master pixel and channel. Of masters kept as
+/// luminance, one channel, only gray images can be made. Those that are missing or cannot be read are left
+/// out if `skip_bad`; otherwise BadBlobs is thrown. Throws std::runtime_error with one line when the dataset
+/// keeps no masters or the part has none.
 MasterCache load_master_cache(const std::filesystem::path& dataset, Part part, bool as_luminance,
-                              bool skip_bad, const std::filesystem::path& file);
+                              bool skip_bad, const std::filesystem::path& file, double places_share = 1);
 
 }  // namespace cps

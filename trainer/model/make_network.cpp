@@ -7,6 +7,7 @@ NetworkOptions network_options(const TrainOptions& options) {
           .size_features = options.size_features,
           .edge_channel = options.edge_channel,
           .orientation = options.orientation.measured,
+          .edge_weights = is_fit(options.head),
           .outputs = unit_count(options.head)};
 }
 

@@ -1,8 +1,10 @@
 #include "trainer/model/model_card.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "files/files.h"
 
@@ -13,8 +15,16 @@ constexpr std::array<const char*, orientation_plane_count> plane_names{
     "vertical_tilt_times_confidence", "horizontal_tilt_times_confidence", "vertical_confidence",
     "horizontal_confidence"};
 
+/// What a card says of weights that half_weights_of() made. Of others it says nothing, so older cards stay
+/// valid.
+constexpr const char* half_word = "float16";
+
+/// Of how orientation is measured; 1 did not weigh edges by their coherence and wrote no version.
+constexpr int orientation_version = 2;
+
 nlohmann::ordered_json to_json(const OrientationStatistics& statistics) {
   return {
+      {"version", orientation_version},
       {"planes",
        {{"names", plane_names}, {"mean", statistics.plane_mean}, {"deviation", statistics.plane_deviation}}},
       {"numbers",
@@ -25,6 +35,8 @@ nlohmann::ordered_json to_json(const OrientationStatistics& statistics) {
 
 OrientationStatistics orientation_statistics_from_json(const nlohmann::json& json) {
   OrientationStatistics statistics;
+  if (json.value("version", 1) != orientation_version)
+    throw std::runtime_error("input.orientation: was measured by another version");
   if (json.at("numbers").at("names") != nlohmann::json(orientation_number_names))
     throw std::runtime_error("input.orientation.numbers.names: are those of another version");
   json.at("planes").at("mean").get_to(statistics.plane_mean);
@@ -39,8 +51,16 @@ OrientationStatistics orientation_statistics_from_json(const nlohmann::json& jso
 }
 
 nlohmann::ordered_json outputs_json(const ModelCard& card) {
-  if (!is_deepcalib(card.options.head))
-    return {{"names", output_names}, {"mean", card.targets.mean}, {"deviation", card.targets.deviation}};
+  if (!is_deepcalib(card.options.head)) {
+    nlohmann::ordered_json json{
+        {"names", output_names}, {"mean", card.targets.mean}, {"deviation", card.targets.deviation}};
+    if (is_fit(card.options.head)) {
+      json["correlation"] =
+          std::vector<double>(card.correlation.data(), card.correlation.data() + card.correlation.size());
+      json["deviation_scale"] = card.deviation_scale;
+    }
+    return json;
+  }
   const auto pair = [](const SphereTarget& target) { return std::array{target.focal, target.xi}; };
   return {{"names", sphere_output_names},
           {"mean", pair(card.spheres.mean)},
@@ -51,6 +71,12 @@ void read_outputs(const nlohmann::json& json, ModelCard& card) {
   if (!is_deepcalib(card.options.head)) {
     json.at("mean").get_to(card.targets.mean);
     json.at("deviation").get_to(card.targets.deviation);
+    if (!is_fit(card.options.head)) return;
+    json.at("deviation_scale").get_to(card.deviation_scale);
+    const auto numbers = json.at("correlation").get<std::array<double, output_count * output_count>>();
+    card.correlation = OutputCovariance::Map(numbers.data());
+    if (Eigen::LLT<OutputCovariance>(card.correlation).info() != Eigen::Success)
+      throw std::runtime_error("outputs.correlation: is not positive definite");
     return;
   }
   const auto pair = [&](const char* key) {
@@ -77,6 +103,7 @@ void save_model_card(const ModelCard& card, const std::filesystem::path& model_f
       {"epoch", card.epoch},
       {"validation_loss", card.validation_loss}};
   if (card.options.orientation.measured) json["input"]["orientation"] = to_json(card.orientation);
+  if (card.has_half_weights) json["weights"] = half_word;
   write_json(model_folder / "model.json", json);
 }
 
@@ -101,6 +128,9 @@ ModelCard load_model_card(const std::filesystem::path& model_folder) {
     json.at("dataset").at("validation_images").get_to(card.validation_images);
     json.at("epoch").get_to(card.epoch);
     json.at("validation_loss").get_to(card.validation_loss);
+    card.has_half_weights = json.contains("weights");
+    if (card.has_half_weights && json.at("weights") != half_word)
+      throw std::runtime_error(std::string("weights: is not ") + half_word);
     if (const std::string fault = card.options.fault(); !fault.empty()) throw std::runtime_error(fault);
     return card;
   } catch (const std::exception& e) {

@@ -48,6 +48,7 @@ void for_each_key(O& o, Visit visit) {
   visit("dropout", o.dropout);
   visit("max_gradient", o.max_gradient);
   visit("skip_bad_images", o.skip_bad_images);
+  visit("places_share", o.places_share);
   visit("mirror", o.mirror);
   visit("augmentation", o.augmentation);
   visit("online_lenses", o.online_lenses);
@@ -63,8 +64,8 @@ void for_each_key(O& o, Visit visit) {
 }
 
 /// Options added later: older models lack them.
-constexpr std::array later_keys{"online_lenses", "online_zoom",    "edge_channel", "orientation",
-                                "teacher",       "teacher_weight", "precision",    "head"};
+constexpr std::array later_keys{"online_lenses",  "online_zoom", "edge_channel", "orientation", "teacher",
+                                "teacher_weight", "precision",   "head",         "places_share"};
 
 /// An option as JSON: enumerations by name, the augmentation as an object of its own.
 template <typename T>
@@ -127,6 +128,16 @@ std::string deepcalib_fault(const TrainOptions& o) {
   return "";
 }
 
+/// What a head with a fit needs.
+std::string fit_fault(const TrainOptions& o) {
+  if (!o.orientation.measured) return "orientation: the head fit needs it: set it";
+  if (o.target_space != TargetSpace::seen) return "targets: the head fit needs seen";
+  if (o.outputs.size() != output_names.size()) return "outputs: the head fit learns all eight: leave it out";
+  if (!find_architecture(o.architecture)->max_pool)
+    return "arch " + o.architecture + ": the head fit needs an architecture that pools after its first layer";
+  return "";
+}
+
 }  // namespace
 
 std::string to_string(Loss loss) {
@@ -151,6 +162,10 @@ std::string TrainOptions::fault() const {
       return "outputs: '" + name + "' is none of fov k1 k2 k3 p1 p2 cx cy";
   if (loss == Loss::reprojection && outputs.size() != output_names.size())
     return "loss: reprojection needs all eight outputs";
+  if (loss == Loss::reprojection && target_space == TargetSpace::seen)
+    return "loss: reprojection needs targets apparent or raw";
+  if (is_fit(head))
+    if (const std::string fault = fit_fault(*this); !fault.empty()) return fault;
   if (is_deepcalib(head))
     if (const std::string fault = deepcalib_fault(*this); !fault.empty()) return fault;
   if (reduction.factor < 0) return "reduce: must not be negative";
@@ -166,6 +181,7 @@ std::string TrainOptions::fault() const {
   if (!(decay > 0 && decay <= 1)) return "decay: must lie in (0, 1]";
   if (!(dropout >= 0 && dropout < 1)) return "dropout: must lie in [0, 1)";
   if (!(max_gradient >= 0)) return "max-gradient: must not be negative";
+  if (!(places_share > 0 && places_share <= 1)) return "places-share: must be above 0 and at most 1";
   if (const std::string fault = augmentation.fault(); !fault.empty()) return fault;
   if (const std::string fault = orientation.fault(); !fault.empty()) return fault;
   if (!(online_zoom >= 1 && online_zoom <= 3)) return "online-zoom: must lie in [1, 3]";
@@ -183,7 +199,8 @@ nlohmann::ordered_json to_json(const TrainOptions& options) {
     const bool is_left_out =
         (key == std::string_view("orientation") && !options.orientation.measured) ||
         (key == std::string_view("precision") && options.precision == Precision::float32) ||
-        (key == std::string_view("head") && options.head == Head::brown_conrady);
+        (key == std::string_view("head") && options.head == Head::brown_conrady) ||
+        (key == std::string_view("places_share") && options.places_share == 1);
     if (!is_left_out) json[key] = json_value(value);
   });
   return json;

@@ -1,5 +1,6 @@
 #include "trainer/network/resnet.h"
 
+#include <ATen/ATen.h>
 #include <torch/nn/init.h>
 #include <torch/nn/modules/batchnorm.h>
 #include <torch/nn/modules/container/sequential.h>
@@ -82,6 +83,9 @@ struct Bottleneck final : nn::Module {
   }
 };
 
+/// The stages whose feature maps weigh the edges.
+constexpr std::array<int, 3> weighed_stages{0, 1, 3};
+
 template <typename Block>
 struct ResNet final : Network {
   nn::Conv2d conv1;
@@ -89,6 +93,7 @@ struct ResNet final : Network {
   nn::Conv2d orientation{nullptr};
   std::array<nn::Sequential, 4> layers;
   nn::Linear fc;
+  std::array<nn::Conv2d, 3> edge_weights{nullptr, nullptr, nullptr};  // of the maps that are weighed
   bool max_pool;
   NetworkOptions options;
 
@@ -113,11 +118,22 @@ struct ResNet final : Network {
       register_module("layer" + std::to_string(i + 1), layers[i]);
     }
     register_module("fc", fc);
+    if (options.edge_weights)
+      for (int i = 0; i < 3; ++i)
+        edge_weights[i] = register_module(
+            "edge_weights" + std::to_string(weighed_stages[i] + 1),
+            nn::Conv2d(nn::Conv2dOptions((architecture.width << weighed_stages[i]) * Block::expansion,
+                                         edge_families, 1)));
     for (auto& module : modules(false))
       if (auto* convolution = module->as<nn::Conv2d>())
         nn::init::kaiming_normal_(convolution->weight, 0, torch::kFanOut, torch::kReLU);
     nn::init::zeros_(fc->weight);
     nn::init::zeros_(fc->bias);
+    for (nn::Conv2d& weights : edge_weights)
+      if (weights) {
+        nn::init::zeros_(weights->weight);
+        nn::init::zeros_(weights->bias);
+      }
   }
 
   /// Numbers that join the pooled features.
@@ -125,23 +141,37 @@ struct ResNet final : Network {
     return (options.size_features ? 2 : 0) + (options.orientation ? orientation_number_count : 0);
   }
 
-  /// The last feature map, in the training precision.
-  Tensor feature_map(const Tensor& input, const Tensor& planes) {
+  /// The feature maps of the four stages, in the training precision.
+  std::array<Tensor, 4> feature_maps(const Tensor& input, const Tensor& planes) {
     const Autocast autocast(is_training() ? training_precision : Precision::float32);
     Tensor x = conv1(input);
     if (orientation) x.add_(orientation(planes));  // as large as conv1's result, see orientation_grid()
     x = bn1(x).relu_();
     if (max_pool) x = torch::max_pool2d(x, 3, 2, 1);
-    for (nn::Sequential& layer : layers) x = layer->forward(x);
-    return x;
+    std::array<Tensor, 4> maps;
+    for (int i = 0; i < 4; ++i) maps[i] = x = layers[i]->forward(x);
+    return maps;
   }
 
-  Tensor forward(const Tensor& images, const Tensor& sizes, const OrientationTensors& edges) override {
-    const Tensor map = feature_map(options.edge_channel ? with_sobel_edges(images) : images, edges.planes);
-    Tensor x = map.to(torch::kFloat).mean({2, 3});  // float32 from here: few numbers, and all of them count
+  /// Sum of what each weighed map says, in the first one's size.
+  Tensor weigh_edges(const std::array<Tensor, 4>& maps) {
+    Tensor sum;
+    for (int i = 0; i < 3; ++i) {
+      const Tensor part = edge_weights[i](maps[weighed_stages[i]].to(torch::kFloat));
+      sum = i == 0 ? part : sum + at::upsample_nearest2d(part, sum.sizes().slice(2));
+    }
+    return sum;
+  }
+
+  NetworkOutput forward(const Tensor& images, const Tensor& sizes, const OrientationTensors& edges) override {
+    const std::array<Tensor, 4> maps =
+        feature_maps(options.edge_channel ? with_sobel_edges(images) : images, edges.planes);
+    // float32 from here: few numbers, and all of them count
+    Tensor x = maps.back().to(torch::kFloat).mean({2, 3});
     if (options.size_features) x = torch::cat({x, sizes}, 1);
     if (options.orientation) x = torch::cat({x, edges.numbers}, 1);
-    return fc(torch::dropout(x, options.dropout, is_training()));
+    return {fc(torch::dropout(x, options.dropout, is_training())),
+            options.edge_weights ? weigh_edges(maps) : Tensor{}};
   }
 };
 

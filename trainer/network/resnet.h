@@ -11,6 +11,14 @@
 
 namespace cps {
 
+/// What a network says of the images of a batch.
+struct NetworkOutput {
+  torch::Tensor numbers;  ///< [n, outputs] float32: with a brown_conrady head, standardised outputs
+  /// [n, 2, h'', w''] float32: logarithms of the weights of near-vertical and of near-horizontal edges, in
+  /// weight_grid(); undefined unless NetworkOptions::edge_weights.
+  torch::Tensor edge_weights = {};
+};
+
 /// A network that predicts some numbers for each gray image.
 struct Network : torch::nn::Module {
   /// Of the convolutions in training mode. In evaluation mode all is float32, whatever the network was
@@ -19,8 +27,8 @@ struct Network : torch::nn::Module {
 
   /// images: [n, 1, h, w], normalised. sizes: [n, 2], height/2160 and width/3840 of the *original* images,
   /// which distinguish a reduced image from a small one. orientation: for a network that takes it, else
-  /// ignored. Returns [n, outputs] float32: with a brown_conrady head, standardised outputs.
-  virtual torch::Tensor forward(const torch::Tensor& images, const torch::Tensor& sizes,
+  /// ignored.
+  virtual NetworkOutput forward(const torch::Tensor& images, const torch::Tensor& sizes,
                                 const OrientationTensors& orientation = {}) = 0;
 
   /// The device of its weights, where images must be, too.
@@ -34,6 +42,9 @@ struct NetworkOptions {
   /// Take the orientation of edges: its planes, through a convolution of their own, are added to the result
   /// of the first one, and its numbers are appended to the pooled features.
   bool orientation = false;
+  /// Also weigh the edges, by 1×1 convolutions of the feature maps of the first, second and last stage, the
+  /// coarser ones enlarged. Needs orientation, and an architecture with max_pool. All weights start at 1.
+  bool edge_weights = false;
   int outputs = 8;  ///< of the last layer: unit_count() of the head
 };
 

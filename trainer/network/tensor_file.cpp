@@ -15,6 +15,7 @@ struct Storage {
   torch::ScalarType type;
 };
 constexpr Storage storages[] = {{"FloatStorage", torch::kFloat},
+                                {"HalfStorage", torch::kHalf},
                                 {"DoubleStorage", torch::kDouble},
                                 {"LongStorage", torch::kLong},
                                 {"ByteStorage", torch::kByte}};
@@ -88,7 +89,7 @@ torch::Tensor tensor_of(const PickleCall& call, const std::map<std::string, std:
   const std::vector<PickleRef>& arguments = call.arguments->items;
   if (arguments.size() < 4) no_dictionary();
   const std::vector<PickleRef>& id =
-      as<PicklePersistent>(arguments[0]).id->items;  // "storage", class, key, …
+      as<PicklePersistent>(arguments[0]).id->items;  // "storage", class, key, device, count of numbers
   if (id.size() < 5) no_dictionary();
   const std::string& type = as<PickleGlobal>(id[1]).name;
   const Storage* storage = nullptr;
@@ -107,11 +108,14 @@ torch::Tensor tensor_of(const PickleCall& call, const std::map<std::string, std:
     last += (sizes[i] - 1) * strides[i];
     count *= sizes[i];
   }
-  const std::int64_t held =
-      static_cast<std::int64_t>(data->second.size() / torch::elementSize(storage->type));
+  const std::size_t element_bytes = torch::elementSize(storage->type);
+  const std::int64_t held = as<std::int64_t>(id[4]);
+  if (data->second.size() % element_bytes != 0 ||
+      held != static_cast<std::int64_t>(data->second.size() / element_bytes))
+    throw std::runtime_error("has a storage that does not hold as many numbers as it should");
   if (offset < 0 || (count > 0 && last >= held)) throw std::runtime_error("is cut short");
   torch::Tensor flat = torch::empty({held}, storage->type);
-  if (held > 0) std::memcpy(flat.data_ptr(), data->second.data(), held * torch::elementSize(storage->type));
+  if (held > 0) std::memcpy(flat.data_ptr(), data->second.data(), data->second.size());
   return flat.as_strided(sizes, strides, offset).contiguous();
 }
 

@@ -40,11 +40,20 @@ OnnxGraph graph_of(const Network& network, const ModelCard& card) {
 
 }  // namespace
 
+std::string onnx_fault(const TrainOptions& options) {
+  if (is_deepcalib(options.head))
+    return "head: is " + to_string(options.head) + ": only networks of Brown-Conrady lenses can be exported";
+  if (is_fit(options.head))
+    return "head: is " + to_string(options.head) + ": a fit has no ONNX form: train with --head direct";
+  if (options.target_space == TargetSpace::seen)
+    return "target_space: is seen, which has no ONNX form: train with --targets apparent";
+  return "";
+}
+
 void write_onnx(const std::filesystem::path& model_folder, const std::filesystem::path& file) {
   const Predictor predictor(model_folder);
-  if (const Head head = predictor.card().options.head; is_deepcalib(head))
-    throw std::runtime_error((model_folder / "model.json").string() + ": head: is " + to_string(head) +
-                             ": only networks of Brown-Conrady lenses can be exported");
+  if (const std::string fault = onnx_fault(predictor.card().options); !fault.empty())
+    throw std::runtime_error((model_folder / "model.json").string() + ": " + fault);
   const std::string generator = generator_name();  // program and version
   const std::size_t space = generator.find(' ');
   const OnnxModel model{

@@ -33,7 +33,8 @@ void add_orientation(std::vector<std::pair<std::string, std::string>>& metadata,
         "rounded to 1 / 508"},
        {"input_edge_confidence",
         "float32 [N, 2, H2, W2]: sqrt(w / (w + m)), w = sum(gx^2) over a cell's near-vertical edges or "
-        "sum(gy^2) over its near-horizontal ones, m = the picture's sum(gx^2 + gy^2) / number of cells; "
+        "sum(gy^2) over its near-horizontal ones, divided by 1 + v / .0009, v = the variance of its tilts, "
+        "m = the picture's sum(gx^2 + gy^2) / number of cells; "
         "rounded to 1 / 127"},
        {"input_edge_fit", fmt::format("float32 [N, 28], see docs/formats.md of cps: {}",
                                       fmt::join(orientation_number_names, " "))}});

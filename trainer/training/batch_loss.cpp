@@ -1,6 +1,7 @@
 #include "trainer/training/batch_loss.h"
 
 #include "trainer/deepcalib/sphere_head.h"
+#include "trainer/fit/fit_head.h"
 #include "trainer/training/losses.h"
 
 namespace cps {
@@ -36,7 +37,10 @@ torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth
   if (is_deepcalib(options.head)) return sphere_loss(options.head, predicted, truth.spheres);
   if (options.loss == Loss::reprojection)
     return reprojection_loss(predicted, ray_batch(truth), options.target_space, card.targets);
-  return output_loss(options.loss, predicted, target_tensor(truth, card.targets), output_mask(options));
+  const torch::Tensor targets = target_tensor(truth, card.targets);
+  if (!is_fit(options.head)) return output_loss(options.loss, predicted, targets, output_mask(options));
+  return output_loss(options.loss, predicted.narrow(1, 0, output_count), targets, output_mask(options)) +
+         likelihood_loss(predicted, targets) + folding_penalty(predicted, truth.targets, card.targets);
 }
 
 }  // namespace cps

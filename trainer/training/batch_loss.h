@@ -18,8 +18,8 @@ struct BatchTruth {
   std::vector<SphereTarget> spheres = {};            ///< of a DeepCalib head, which does not use `targets`
 };
 
-/// The training loss of a batch, as card.options define it. `predicted`: the last layer's outputs, [n,
-/// unit_count(head)]; of a brown_conrady head they are standardised.
+/// The training loss of a batch, as card.options define it. `predicted`: head_rows() of its images. With a
+/// fit, the loss of the outputs is joined by likelihood_loss() and folding_penalty().
 torch::Tensor batch_loss(const torch::Tensor& predicted, const BatchTruth& truth, const ModelCard& card);
 
 }  // namespace cps

@@ -12,7 +12,7 @@ std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Devic
   if (student.teacher.empty()) return nullptr;
   auto teacher = std::make_unique<const Predictor>(student.teacher, device);
   const TrainOptions& its = teacher->card().options;
-  if (its.head != student.head)
+  if (is_deepcalib(its.head))
     throw std::runtime_error("teacher " + student.teacher + ": its head is " + to_string(its.head) +
                              ", so it has learned lenses of another family: choose another teacher");
   if (its.reduction != student.reduction)
@@ -40,7 +40,7 @@ torch::Tensor distillation_loss(const torch::Tensor& predicted, const Predictor&
                                    student.options.target_space, size.width, size.height);
     for (double v : standardise(answer, student.targets)) *out++ = static_cast<float>(v);
   }
-  return output_loss(Loss::mse, predicted, wanted, output_mask(student.options));
+  return output_loss(Loss::mse, predicted.narrow(1, 0, output_count), wanted, output_mask(student.options));
 }
 
 }  // namespace cps

@@ -14,7 +14,7 @@ namespace cps {
 class Predictor;
 
 /// Loads the trained network from the folder student.teacher; null if that is empty. Throws
-/// std::runtime_error with one line if the folder holds no model, or one with another head, or one that takes
+/// std::runtime_error with one line if the folder holds no model, or one with a DeepCalib head, or one that takes
 /// images of another size, or orientation that the student does not take, or that has not learned all outputs
 /// that the student learns.
 std::unique_ptr<const Predictor> load_teacher(const TrainOptions& student, Device device = Device::cpu);

@@ -11,6 +11,7 @@
 #include "numbers/wall_time.h"
 #include "random/counter_hash.h"
 #include "trainer/deepcalib/sphere_head.h"
+#include "trainer/fit/fit_head.h"
 #include "trainer/images/batches.h"
 #include "trainer/network/inference.h"
 #include "trainer/training/batch_loader.h"
@@ -59,19 +60,26 @@ std::vector<int> learned_outputs(const TrainOptions& options) {
   return learned;
 }
 
-/// Mean cosine similarity and H-FOV error of the outputs of a brown_conrady head, [images, 8].
+/// Mean cosine similarity and error of the label's H-FOV of a Brown–Conrady head's outputs, the first eight
+/// numbers of the rows.
 void judge_outputs(const torch::Tensor& rows, const Samples& samples, const ModelCard& card,
                    EpochReport& report) {
   const auto numbers = rows.accessor<float, 2>();
   const double n = static_cast<double>(samples.targets.size());
   const std::vector<int> learned = learned_outputs(card.options);
+  const auto hfov_rad = [&](const Outputs& outputs, const ImageSize& size) {
+    return convert(outputs, card.options.target_space, TargetSpace::raw, size.width, size.height)[0];
+  };
   for (std::size_t i = 0; i < samples.targets.size(); ++i) {
     const Outputs truth = standardise(samples.targets[i], card.targets);
     Outputs predicted;
     for (int k = 0; k < output_count; ++k) predicted[k] = numbers[static_cast<long>(i)][k];
     report.validation_cosine += cosine_similarity(predicted, truth, learned) / n;
+    const ImageSize& size = samples.cache.originals[i];
     report.validation_hfov_mae_deg +=
-        degrees(std::abs(predicted[0] - truth[0]) * card.targets.deviation[0]) / n;
+        degrees(std::abs(hfov_rad(unstandardise(predicted, card.targets), size) -
+                         hfov_rad(samples.targets[i], size))) /
+        n;
   }
 }
 
@@ -125,8 +133,9 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
       if (sums) sums->begin_batch();
       torch::manual_seed(random_bits(noise, b));
       const LoadedBatch batch = loader.next();
-      const torch::Tensor predicted = state.network->forward(batch.pixels.to(device), batch.sizes.to(device),
-                                                             batch.orientation.to(device));
+      const NetworkOutput output = state.network->forward(batch.pixels.to(device), batch.sizes.to(device),
+                                                          batch.orientation.to(device));
+      const torch::Tensor predicted = head_rows(output, batch.images, card);
       torch::Tensor loss = batch_loss(predicted, truth_of(batch.shown), card);
       if (teacher) {
         const double share = options.teacher_weight;
@@ -154,12 +163,12 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
   report.loader_share = loader.waited_seconds() / seconds;
 }
 
-void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
+torch::Tensor validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report) {
   std::vector<BatchImage> images;
   for (std::size_t i = 0; i < samples.cache.images.size(); ++i)
     images.push_back(
         {samples.cache.images[i], samples.cache.originals[i], false, samples.cache.orientations[i]});
-  const torch::Tensor rows = run_last_layer(network, images, card);
+  const torch::Tensor rows = run_head(network, images, card);
   const double n = static_cast<double>(images.size());
   for (const Batch& batch : ordered_batches(samples.cache.originals, card.options.batch_size)) {
     const std::vector<std::int64_t> members(batch.begin(), batch.end());
@@ -171,6 +180,7 @@ void validate(Network& network, const Samples& samples, const ModelCard& card, E
     judge_spheres(rows, samples, card, report);
   else
     judge_outputs(rows, samples, card, report);
+  return rows;
 }
 
 }  // namespace cps

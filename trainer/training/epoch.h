@@ -1,5 +1,7 @@
 #pragma once
 
+#include <torch/types.h>
+
 #include "trainer/model/model_card.h"
 #include "trainer/training/epoch_report.h"
 #include "trainer/training/ranks.h"
@@ -21,7 +23,7 @@ void train_epoch(TrainingState& state, const TrainingSet& set, const ModelCard& 
                  const Predictor* teacher, const Ranks& ranks, EpochReport& report);
 
 /// Runs `network` on the validation images, neither augmented nor mirrored, and sets the report's validation
-/// results, which must be 0 before.
-void validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report);
+/// results, which must be 0 before. Returns head_rows() of the images.
+torch::Tensor validate(Network& network, const Samples& samples, const ModelCard& card, EpochReport& report);
 
 }  // namespace cps

@@ -58,6 +58,7 @@ void add_statistics(TrainingSet& set) {
   set.pixels = pixel_statistics(pixels);
   if (!orientations.empty()) set.orientation = orientation_statistics(orientations);
   set.targets = fit_standardisation(targets);
+  set.correlation = correlation(targets);
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ TrainingSet online_images(const Dataset& dataset, const TrainOptions& options,
   const int lenses = *std::ranges::max_element(recipe.lenses.values);
   auto images = std::make_shared<OnlineImages>(OnlineImages{
       .cache = load_master_cache(dataset.root, Part::train, stored.format == ImageFormat::png_gray,
-                                 options.skip_bad_images, cache_file),
+                                 options.skip_bad_images, cache_file, options.places_share),
       .lenses = {.lens = recipe.lens_options,
                  .undistorted_share = recipe.undistorted ? 1.0 / (lenses + 1) : 0,
                  .zoom = options.online_zoom},

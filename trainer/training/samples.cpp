@@ -7,6 +7,7 @@
 
 #include "distortion/label_algebra.h"
 #include "trainer/images/blob_cache.h"
+#include "trainer/images/places.h"
 
 namespace cps {
 
@@ -91,7 +92,7 @@ void require_learnable(const Dataset& dataset, Head head) {
 
 Samples load_samples(const Dataset& dataset, Part part, const SampleOptions& options,
                      const std::filesystem::path& cache_file) {
-  std::vector<int> images = images_of(dataset, part);
+  std::vector<int> images = share_of_places(dataset, images_of(dataset, part), options.places_share);
   if (images.empty())
     throw std::runtime_error((dataset.root / "splits" / (to_string(part) + ".txt")).string() +
                              ": lists no image: make a dataset with more places or routes");

@@ -41,6 +41,7 @@ struct SampleOptions {
   OrientationOptions orientation{};
   bool with_rays = false;        ///< for the reprojection loss
   bool skip_bad_images = false;  ///< leave out images that load_image_cache() refuses
+  double places_share = 1;       ///< load the images of such a share_of_places() alone
 };
 
 /// Loads one part of the dataset, with its pixels from `cache_file` where that is up to date. Throws

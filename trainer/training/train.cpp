@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "numbers/wall_time.h"
+#include "trainer/fit/fit_head.h"
 #include "trainer/images/dataset_fingerprint.h"
 #include "trainer/model/model_card.h"
 #include "trainer/model/predictor.h"
@@ -73,7 +74,8 @@ Samples load_part(const Dataset& dataset, Part part, const TrainOptions& options
                        .reduction = options.reduction,
                        .orientation = options.orientation,
                        .with_rays = options.loss == Loss::reprojection,
-                       .skip_bad_images = options.skip_bad_images},
+                       .skip_bad_images = options.skip_bad_images,
+                       .places_share = part == Part::train ? options.places_share : 1},
                       cache);
 }
 
@@ -116,6 +118,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
   card.pixels = training.pixels;
   card.orientation = training.orientation;
   card.targets = training.targets;
+  card.correlation = training.correlation;
   card.spheres = training.spheres;
   const bool on_cpu = device == Device::cpu;
   const bool computes_bfloat16 = ranks.sum(on_cpu && processor_computes_bfloat16()) == ranks.count;
@@ -136,7 +139,7 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     EpochReport report;
     report.epoch = static_cast<int>(state.epochs.size()) + 1;
     train_epoch(state, training, card, teacher.get(), ranks, report);
-    validate(state.judged(), validation, card, report);
+    const torch::Tensor rows = validate(state.judged(), validation, card, report);
     agree(ranks, report);
 
     const EpochReport* best = best_of(state.epochs);
@@ -155,6 +158,8 @@ TrainSummary train(const Dataset& dataset, const fs::path& model_folder, const T
     if (report.is_best) {
       card.epoch = report.epoch;
       card.validation_loss = report.validation_loss;
+      if (is_fit(card.options.head))
+        card.deviation_scale = deviation_scale(rows, validation.targets, card.targets);
     }
     if (ranks.rank == 0) {
       if (report.is_best) {

@@ -34,10 +34,10 @@ struct TrainSummary {
 /// continues as if it had not stopped.
 using EpochCallback = std::function<bool(const EpochReport&)>;
 
-/// Trains on the dataset's `train` images and selects weights by its `val` images; its `test` images are not
-/// opened. Writes to model_folder: model.json and weights.pt (the best epoch's), state.pt (everything that a
-/// resume needs), history.csv, history.svg, and the image caches. Every file appears by atomic rename. A
-/// model.onnx of earlier weights is removed.
+/// Trains on the dataset's `train` images, or those of options.places_share of their places, and selects
+/// weights by its `val` images; its `test` images are not opened. Writes to model_folder: model.json and
+/// weights.pt (the best epoch's), state.pt (everything that a resume needs), history.csv, history.svg, and
+/// the image caches. Every file appears by atomic rename. A model.onnx of earlier weights is removed.
 ///
 /// With `resume`, continues after the last complete epoch in model_folder with that run's options (`options`
 /// is ignored), in the precision that it chose. On the same machine with the same number of threads, the

@@ -61,6 +61,7 @@ TrainingSet fixed_images(std::shared_ptr<const Samples> samples, const TrainOpti
     if (options.mirror)
       targets.insert(targets.end(), samples->mirrored_targets.begin(), samples->mirrored_targets.end());
     set.targets = fit_standardisation(targets);
+    set.correlation = correlation(targets);
   }
   return set;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trainer/calibration/lens_posterior.h"
 #include "trainer/images/batches.h"
 #include "trainer/images/orientation/orientation_statistics.h"
 #include "trainer/images/pixel_statistics.h"
@@ -33,8 +34,9 @@ struct TrainingSet {
   PixelStatistics pixels;               ///< by which the images are normalised
   OrientationStatistics orientation{};  ///< by which their orientation is; zeros without orientation
   Standardisation targets;              ///< by which the targets are standardised
-  SphereStatistics spheres{};           ///< of the targets of a DeepCalib head
-  std::vector<std::string> skipped;     ///< one line for each image left out
+  OutputCovariance correlation = OutputCovariance::Identity();  ///< of the targets
+  SphereStatistics spheres{};                                   ///< of the targets of a DeepCalib head
+  std::vector<std::string> skipped;                             ///< one line for each image left out
   /// Image i in an epoch: a pure function of both, safe to call from many threads.
   std::function<ShownImage(int i, int epoch)> shown;
 };

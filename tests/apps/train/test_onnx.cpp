@@ -20,14 +20,16 @@ void check_trainer_refuses(const std::string& arguments, int status, const std::
 }  // namespace
 
 TEST_CASE("options of an export that do not go together are refused as wrong usage") {
-  check_trainer_refuses("predict --model m", 2, "name the pictures to predict, or --export onnx");
-  check_trainer_refuses("predict --model m --export tflite", 2, "--export tflite: must be onnx");
+  check_trainer_refuses("predict --model m", 2, "name the pictures to predict, or --export onnx or half");
+  check_trainer_refuses("predict --model m --export tflite", 2, "--export tflite: must be onnx or half");
   check_trainer_refuses("predict --model m a.png -o a.onnx", 2,
-                        "--out: belongs to --export onnx; for predictions use --json FILE");
+                        "--out: belongs to --export; for predictions use --json FILE");
+  check_trainer_refuses("predict --model m --export half", 2,
+                        "--export half: writes a model folder: name it by --out FOLDER");
   for (const std::string also : {"a.png", "--json a.json"})
     check_trainer_refuses("predict --model m --export onnx " + also, 2,
                           "--export: writes the network and predicts nothing: leave out pictures, --json, "
-                          "--cameras and --undistort");
+                          "--cameras, --undistort and --one-camera");
   check_trainer_refuses("predict --model none --export onnx", 1,
                         "none/model.json: is missing: name a folder that cps train has written");
 }

@@ -100,20 +100,26 @@ TEST_CASE("cached and traced light agree in a street with sun, sky, lamp, steps 
 }
 
 TEST_CASE("a floor beside a wall is darkened as form factors say") {
-  // A black wall, infinitely long and high as seen from near it: at distance x it hides half of the sky's
-  // light, and at any x the same; of finite height h, the floor keeps (1 + x / √(x² + h²)) / 2.
-  Scene scene;
-  scene.materials = {lambert({1, 1, 1, 1}), lambert({0, 0, 0, 1})};
-  add(scene, quad({-400, 0, 400}, {800, 0, 0}, {0, 0, -800}, 0));
-  add(scene, quad({0, 0, 400}, {0, 0, -800}, {0, 6, 0}, 1));
-  scene.materials[1].double_sided = true;
-  Cached made(scene, constant_light(1));
-  for (const double x : {0.05, 0.3, 1.0, 3.0, 10.0}) {
-    CAPTURE(x);
-    const Camera view = camera({x, 1.5, 0.3}, {x, 0, 0}, 8, 8, 0.3);
-    const Estimate seen = estimate(32, [&](int seed) { return mean(made.picture(view, 16, seed)); });
-    const double expected = 0.5 * (1 + x / std::hypot(x, 6));
-    CHECK(seen.mean[0] == Approx(expected).epsilon(0.04));
+  // A black wall without end along z, and of height h: at distance x from it the floor keeps the share
+  // (1 + x / √(x² + h²)) / 2 of the sky's light. Beside the low wall light changes within the smallest cells.
+  struct Wall {
+    float height;
+    std::vector<double> distances;
+  };
+  for (const Wall& wall : {Wall{6, {0.05, 0.3, 1, 3, 10}}, Wall{0.2f, {0.02, 0.1}}}) {
+    Scene scene;
+    scene.materials = {lambert({1, 1, 1, 1}), lambert({0, 0, 0, 1})};
+    add(scene, quad({-400, 0, 400}, {800, 0, 0}, {0, 0, -800}, 0));
+    add(scene, quad({0, 0, 400}, {0, 0, -800}, {0, wall.height, 0}, 1));
+    scene.materials[1].double_sided = true;
+    Cached made(scene, constant_light(1));
+    for (const double x : wall.distances) {
+      CAPTURE(wall.height, x);
+      const Camera view = camera({x, 1.5, 0.3}, {x, 0, 0}, 8, 8, 0.3);
+      const Estimate seen = estimate(32, [&](int seed) { return mean(made.picture(view, 16, seed)); });
+      const double expected = 0.5 * (1 + x / std::hypot(x, wall.height));
+      CHECK(seen.mean[0] == Approx(expected).epsilon(0.04));
+    }
   }
 }
 
@@ -137,6 +143,24 @@ TEST_CASE("light stays on its side of a wall without thickness") {
   // From outside it is as bright as paper under that sky.
   const OIIO::ImageBuf outside = room.picture(camera({0, 1.5, 9}, {0, 1.5, 0}, 16, 16, 5), 16);
   CHECK(mean(outside).x() == Approx(0.8).epsilon(0.02));
+}
+
+TEST_CASE("a small hut is dark inside on ground that is lit outside") {
+  // Cells of the ground reach through the walls: of the cells that the camera sees, and of the larger ones
+  // that paths meet less than two cells away, no light may be taken here.
+  Scene scene;
+  scene.materials = {lambert({0.8f, 0.8f, 0.8f, 1})};
+  scene.materials[0].double_sided = true;
+  add(scene, ground());
+  for (const float side : {-1.0f, 1.0f}) {
+    add(scene, quad({side, -0.1f, -1.1f}, {0, 0, 2.2f}, {0, 2.2f, 0}));
+    add(scene, quad({-1.1f, -0.1f, side}, {2.2f, 0, 0}, {0, 2.2f, 0}));
+  }
+  add(scene, quad({-1.1f, 2, -1.1f}, {2.2f, 0, 0}, {0, 0, 2.2f}));
+  Cached hut(scene, constant_light(1));
+  // One path in millions may slip between two triangles.
+  CHECK(mean(hut.picture(camera({0, 1.8, 0.2}, {0.3, 0, 0.1}, 16, 16, 100), 4)).maxCoeff() < 0.004f);
+  CHECK(mean(hut.picture(camera({0, 1, 0.2}, {1, 0.5, -0.3}, 16, 16, 100), 4)).maxCoeff() < 0.004f);
 }
 
 TEST_CASE("a marking just above the road is as bright as the road's light makes it") {
@@ -171,6 +195,20 @@ TEST_CASE("cached pictures have the same bytes for any threads, order of views a
   CHECK(forgetful.cache.summary().cells < 1000);
   reference.cache.make_room();  // far from full: keeps all
   CHECK(reference.cache.summary().cells > 1000);
+}
+
+TEST_CASE("a cache keeps no more cells than its memory holds and forgets them when it is full") {
+  // Seen from high above every pixel asks for a cell of its own.
+  const Scene open = scene_of(lambert({0.5f, 0.5f, 0.5f, 1}), ground());
+  const Camera high = camera({0, 30, 0.1}, {0, 0, 0}, 24, 24, 60);
+  Cached large(open, constant_light(1));
+  Cached small(open, constant_light(1), {.memory_gib = 2e-6});
+  CHECK(same_bytes(large.picture(high, 1), small.picture(high, 1)));
+  CHECK(large.cache.summary().cells > 300);
+  CHECK(small.cache.summary().cells > 10);
+  CHECK(small.cache.summary().cells < 100);  // about 30, and one for each thread
+  small.cache.make_room();
+  CHECK(small.cache.summary().cells == 0);
 }
 
 TEST_CASE("what rides with the car shades the road where it is, and leaves nothing in the cache") {

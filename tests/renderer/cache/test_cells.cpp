@@ -46,10 +46,11 @@ TEST_CASE("cells that differ in anything have different hashes") {
       for (int z = -9; z < 9; ++z)
         for (std::uint8_t level = 0; level < 4; ++level)
           for (std::uint8_t facing : {1, 4, 26})
-            for (std::uint32_t material : {0, 1, 77}) {
-              hashes.insert(Cell{{x, y, z}, level, facing, false, material}.hash());
-              ++cells;
-            }
+            for (std::uint32_t material : {0, 1, 77})
+              for (bool is_far : {false, true}) {
+                hashes.insert(Cell{{x, y, z}, level, facing, is_far, material}.hash());
+                ++cells;
+              }
   CHECK(hashes.size() == cells);
 }
 

@@ -237,6 +237,44 @@ TEST_CASE("A weight is value over density, and the density is that of the sample
   }
 }
 
+TEST_CASE("Without its base a surface draws its other layers more often and reflects the same light") {
+  const Color base(0.6f, 0.5f, 0.4f);
+  for (const float cosine : {0.2f, 0.9f}) {
+    const Vec3 wo = at_cosine(cosine);
+    BsdfParameters half_glass{base, 0, 0.6f};
+    half_glass.transmission = 0.5f;
+    half_glass.straight = thin_glass_transmittance(half_glass, cosine);
+    const BsdfParameters surfaces[] = {
+        {base, 0, 0.5f},
+        {base, 0.5f, 0.7f},
+        half_glass,
+        {.base_color = base, .roughness = 0.9f, .clearcoat = 0.8f, .clearcoat_roughness = 0.5f}};
+    for (const BsdfParameters& surface : surfaces)
+      for (const float times : {1.0f, 3.0f}) {
+        CAPTURE(cosine, surface.metallic, surface.transmission, surface.clearcoat, times);
+        const Bsdf all = make_bsdf(surface, wo);
+        Bsdf layers = all;
+        leave_out_base(layers, times);
+
+        // As often as asked for, as far as there is room, and in the same proportions.
+        const float before = 1 - all.diffuse_probability, drawn = std::min(1.0f, times * before);
+        CHECK(1 - layers.diffuse_probability == Approx(drawn).margin(1e-5));
+        CHECK(layers.specular_probability / drawn == Approx(all.specular_probability / before).margin(1e-5));
+        CHECK(layers.straight_probability / drawn == Approx(all.straight_probability / before).margin(1e-5));
+
+        // What is drawn and what is left out are the surface, for every pair of directions and in the mean.
+        for (int i = 0; i < 50; ++i) {
+          const Vec3 wi = sample_cosine_hemisphere(uniform_pair(i, "in"));
+          const BsdfValue whole = evaluate_bsdf(all, wo, wi), parts = evaluate_bsdf(layers, wo, wi);
+          CHECK((parts.f_cos + parts.base_f_cos - whole.f_cos).abs().maxCoeff() <
+                1e-4f * whole.f_cos.maxCoeff() + 1e-6f);
+        }
+        const Color both = sampled_albedo(layers, wo) + base_albedo(all);
+        CHECK((both - sampled_albedo(all, wo)).abs().maxCoeff() < 0.01f);
+      }
+  }
+}
+
 TEST_CASE("A near mirror reflects where it should") {
   const Vec3 wo = at_cosine(0.5f);
   const Bsdf mirror = make_bsdf({Color::Ones(), 1, 0}, wo);

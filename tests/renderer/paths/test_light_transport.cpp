@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "renderer/materials/bsdf.h"
+#include "renderer/paths/path_steps.h"
 #include "tests/renderer/estimates.h"
 
 using namespace cps;
@@ -123,6 +124,58 @@ TEST_CASE("Sky and sun with next-event estimation and MIS agree with quadrature,
         reflected_by_level_surface({base, metallic, roughness}, Vec3(0, 0.6f, 0.8f), day);
     CHECK(standard_errors_off(mean_over_seeds(scene, above(), {.samples = 64}), exact, 1e-3) <
           max_standard_errors);
+  }
+}
+
+TEST_CASE("Where the light of the base is known the sky is sampled as often as the layers above it") {
+  // What layers reflect of the sky is found by light samples and by draws of their own; both must add up to
+  // what a surface with a black base reflects, however few of a vertex's paths draw either.
+  constexpr int samples = 4096, seeds = 32;
+  constexpr float times = 3;
+  const SkyAndSun overcast = make_sky_and_sun({.sky = SkyModel::overcast});
+  const Vec3 to_eye(0, 0.6f, 0.8f);
+  struct Layers {
+    float roughness, clearcoat;
+  };
+  for (const Layers& layers : {Layers{0.5f, 0}, Layers{1, 0}, Layers{0.8f, 1}}) {
+    CAPTURE(layers.roughness, layers.clearcoat);
+    Material m = material({0.6f, 0.6f, 0.6f, 1}, 0, layers.roughness);
+    m.clearcoat = layers.clearcoat;
+    m.clearcoat_roughness = 0.5f;
+    const RenderScene scene(scene_of(m, ground()), overcast);
+    const Ray ray{.origin = Vec3(0.3f, 0, 0.1f) + 5 * to_eye, .direction = -to_eye};
+    const Hit hit = scene.bvh.intersect(ray);
+    REQUIRE(hit);
+    Surface surface = make_surface(scene.placed, ray, hit, 0, 0);
+    const float share = times * (1 - surface.bsdf.diffuse_probability);
+    REQUIRE(share < 0.7f);
+    leave_out_base(surface.bsdf, times);
+
+    int sky_rays = 0;
+    const Estimate seen = estimate(seeds, [&](int seed) {
+      Eigen::Array3d sum = Eigen::Array3d::Zero();
+      for (int i = 0; i < samples; ++i) {
+        Path path;
+        path.ray = ray;
+        path.random =
+            make_sobol_sample(static_cast<std::uint64_t>(seed), 0, 0, static_cast<std::uint32_t>(i));
+        path.alive = true;
+        const ShadowRay sky = light_and_scatter(scene, path, surface).sky;
+        if (path.alive) leave_scene(scene, path);
+        sum += path.radiance.cast<double>();
+        if (!sky.wanted) continue;
+        sum += sky.contribution.cast<double>();
+        ++sky_rays;
+      }
+      return Eigen::Array3d(sum / samples);
+    });
+    const Eigen::Array3d exact = reflected_by_level_surface({.base_color = Color::Zero(),
+                                                             .roughness = layers.roughness,
+                                                             .clearcoat = layers.clearcoat,
+                                                             .clearcoat_roughness = 0.5f},
+                                                            to_eye, overcast);
+    CHECK(standard_errors_off(seen, exact, 2e-3) < max_standard_errors);
+    CHECK(sky_rays == Approx(share * samples * seeds).epsilon(0.03));
   }
 }
 

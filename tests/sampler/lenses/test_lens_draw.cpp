@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "distortion/certificate/certificate.h"
 #include "distortion/certificate/displacement.h"
@@ -108,6 +109,38 @@ TEST_CASE("sequential draws have their share among the lenses of a prior") {
                       .limits[0]
                       .has_value();
   CHECK(std::abs(sequential - 0.2 * count) < 3.3 * std::sqrt(count * 0.2 * 0.8));  // p = 0.001
+}
+
+TEST_CASE("where schemes are mixed each lens is the one of its scheme and each scheme has its share") {
+  const Pinhole base = pinhole_from_hfov(160, 90, radians(70));
+  const LensOptions mixed{.scheme = LensScheme::shape_prior,
+                          .sequential_share = 0.2,
+                          .real_lenses_share = 0.3,
+                          .bounds = {},
+                          .principal_point = {}};
+  const std::pair<LensScheme, double> shares[] = {
+      {LensScheme::sequential, 0.2}, {LensScheme::real_lenses, 0.3}, {LensScheme::shape_prior, 0.5}};
+  constexpr int count = 300;
+  int drawn[3] = {};
+  for (int i = 0; i < count; ++i) {
+    const Stream stream = substream(make_stream(5, "lens"), i);
+    const DrawnLens lens = draw_lens(base, CropOrder::base_first, mixed, stream);
+    int matching = 0;
+    for (int s = 0; s < 3; ++s) {
+      const LensOptions pure{
+          .scheme = shares[s].first, .sequential_share = 0, .bounds = {}, .principal_point = {}};
+      const bool is_of_scheme =
+          draw_lens(base, CropOrder::base_first, pure, stream).distortion == lens.distortion;
+      drawn[s] += is_of_scheme;
+      matching += is_of_scheme;
+    }
+    CHECK(matching == 1);
+  }
+  for (int s = 0; s < 3; ++s) {
+    INFO(to_string(shares[s].first));
+    const double share = shares[s].second;
+    CHECK(std::abs(drawn[s] - share * count) < 3.3 * std::sqrt(count * share * (1 - share)));  // p = 0.001
+  }
 }
 
 TEST_CASE("lenses are of both kinds and do not repeat") {

@@ -13,6 +13,12 @@ using namespace cps;
 
 namespace {
 
+Plan plan_on_plain_ground(const Recipe& recipe) {
+  REQUIRE(recipe.fault() == "");
+  return make_plan(recipe, Rig{}, plan_scenes(recipe, "cities"),
+                   [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(8)}; });
+}
+
 Plan plan_of_fisheyes() {
   Recipe recipe;
   recipe.scenes = {"plain.glb"};
@@ -23,9 +29,7 @@ Plan plan_of_fisheyes() {
   recipe.undistorted = false;
   recipe.lenses.values = {2, 3};
   recipe.views_per_lens = 3;
-  REQUIRE(recipe.fault() == "");
-  return make_plan(recipe, Rig{}, plan_scenes(recipe, "cities"),
-                   [](const std::filesystem::path&) { return DrivenScene{.scene = plain_scene(8)}; });
+  return plan_on_plain_ground(recipe);
 }
 
 }  // namespace
@@ -96,4 +100,46 @@ TEST_CASE("a plan of another family is the same every time") {
   const Plan a = plan_of_fisheyes(), b = plan_of_fisheyes();
   REQUIRE(a.groups.size() == b.groups.size());
   for (std::size_t g = 0; g < a.groups.size(); ++g) CHECK(*a.groups[g].model == *b.groups[g].model);
+}
+
+TEST_CASE("recipes that differ in the lens family alone have the same places and sensors and light") {
+  Recipe recipe;
+  recipe.scenes = {"plain.glb"};
+  recipe.conditions_per_scene = 3;
+  recipe.sizes = {{64, 64}};
+  recipe.hfov_deg = {75, 140};
+  recipe.views = 12;
+  recipe.lens_model = "unified_spherical";
+  recipe.undistorted = false;
+  recipe.lenses = 1;
+  recipe.views_per_lens = 1;
+  recipe.camera_roll_min_deg = -10;
+  recipe.camera_roll_max_deg = 10;
+  const Plan spherical = plan_on_plain_ground(recipe);
+  recipe.lens_model = "brown_conrady";
+  recipe.lens_options.scheme = LensScheme::shape_prior;
+  recipe.lens_options.real_lenses_share = .3;
+  const Plan flat = plan_on_plain_ground(recipe);
+
+  REQUIRE(flat.conditions.size() == spherical.conditions.size());
+  for (std::size_t c = 0; c < flat.conditions.size(); ++c)
+    CHECK(flat.conditions[c].light.daylight.sun_elevation_deg ==
+          spherical.conditions[c].light.daylight.sun_elevation_deg);
+  REQUIRE(flat.views.size() == spherical.views.size());
+  for (std::size_t v = 0; v < flat.views.size(); ++v) {
+    const PlannedView &a = flat.views[v], &b = spherical.views[v];
+    CHECK(a.set == b.set);
+    CHECK(a.index == b.index);
+    CHECK(a.condition == b.condition);
+    CHECK(a.part == b.part);
+    CHECK(a.street == b.street);
+    CHECK((a.place.position == b.place.position));
+    CHECK(a.place.heading_rad == b.place.heading_rad);
+    CHECK((vehicle_from_camera(a.camera).matrix() == vehicle_from_camera(b.camera).matrix()));
+    // What light paths and, with the lens' number, the sensor are drawn from.
+    CHECK(a.seed == b.seed);
+    REQUIRE(a.groups.size() == 1);
+    REQUIRE(b.groups.size() == 1);
+    CHECK(flat.groups[a.groups[0]].lens_number == spherical.groups[b.groups[0]].lens_number);
+  }
 }

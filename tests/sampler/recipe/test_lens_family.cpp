@@ -63,6 +63,7 @@ TEST_CASE("keys that only Brown-Conrady lenses and masters have are refused by n
       {"hfov_deg = 120\nsamples = 16386", "recipe: samples: must lie in [2, 16384]"},
       {"hfov_deg = 120\nlens_draw = shape_prior", "recipe: lens_draw: is for brown_conrady lenses"},
       {"hfov_deg = 120\nsequential_share = 0.3", "recipe: sequential_share: is for brown_conrady lenses"},
+      {"hfov_deg = 120\nreal_lenses_share = 0.3", "recipe: real_lenses_share: is for brown_conrady lenses"},
       {"hfov_deg = 120\ncoefficients = k1", "recipe: coefficients: is for brown_conrady lenses"},
       {"hfov_deg = 120\nk1_min = -0.2", "recipe: k1_min: is for brown_conrady lenses"},
       {"hfov_deg = 120\nmin_eigenvalue = 0.1", "recipe: min_eigenvalue: is for brown_conrady lenses"},

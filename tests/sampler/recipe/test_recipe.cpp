@@ -117,6 +117,11 @@ TEST_CASE("keys that came later are listed only where they are not at their defa
   CHECK_THAT(text, Catch::Contains("camera_pitch_min_deg = -15\n"));
   CHECK_THAT(text, !Catch::Contains("camera_pitch_max_deg"));
   CHECK(recipe_of(text).camera_roll_max_deg == 10);
+  const std::string mixed = to_text(recipe_of(
+      whole + "lens_draw = shape_prior\nreal_lenses_share = 0.4\nsensor_binning = 2\nlenses = 1\n"));
+  CHECK_THAT(mixed, Catch::Contains("real_lenses_share = 0.4\n") && Catch::Contains("sensor_binning = 2\n"));
+  CHECK(recipe_of(mixed).lens_options.real_lenses_share == 0.4);
+  CHECK(recipe_of(mixed).sensor.binning == 2);
 }
 
 TEST_CASE("a recipe that cannot be is refused by the key's name") {
@@ -153,8 +158,19 @@ TEST_CASE("a recipe that cannot be is refused by the key's name") {
       {"max_zoom = 0.5", "max_zoom"},
       {"lens_draw = clamped", "lens_draw = clamped: is not one of sequential, shape_prior, real_lenses"},
       {"sequential_share = 1.5", "sequential_share"},
+      {"real_lenses_share = 0.5", "real_lenses_share: needs lens_draw = shape_prior"},
+      {"lens_draw = real_lenses\nreal_lenses_share = 0.5",
+       "real_lenses_share: needs lens_draw = shape_prior"},
+      {"lens_draw = shape_prior\nreal_lenses_share = -0.1",
+       "sequential_share, real_lenses_share: must lie in"},
+      {"lens_draw = shape_prior\nsequential_share = 0.5\nreal_lenses_share = 0.6",
+       "sequential_share, real_lenses_share: must lie in [0, 1], and their sum too"},
       {"hfov_deg = 90", "base_hfov_deg, hfov_deg: one follows from the other"},
       {"full_well_min_e = 0", "full_well_min_e"},
+      {"contrast_min = 2", "contrast_min ≤ contrast_max must lie in [0.25, 4]"},
+      {"sensor_binning = 0", "sensor_binning: must lie in [1, 16]"},
+      {"sensor_binning = 17", "sensor_binning: must lie in [1, 16]"},
+      {"sensor_binning = 1.5", "sensor_binning = 1.5: is not a whole number"},
       {"lenses = 1, 2", "lenses: name one number, or as many as there are sizes"},
       {"undistorted = false", "lenses: must lie in [1, 10000] where undistorted = false"},
       {"coefficients = k1, k4", "coefficients = k1, k4: is not made of k1, k2, k3, p1, p2"},

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "files/files.h"
 #include "numbers/angles.h"
@@ -20,6 +21,24 @@ Predictor briefly_trained(const Dataset& dataset, const std::filesystem::path& m
   options.batch_size = 8;
   train(dataset, model, options, false, {});
   return Predictor(model);
+}
+
+/// R² of k1 R² as eval.json's images say: R is the half diagonal of the image at distance 1.
+double k1_r2_of(const nlohmann::ordered_json& evaluation) {
+  std::vector<double> truths;
+  double squared = 0, sum = 0, spread = 0;
+  for (const auto& image : evaluation.at("images")) {
+    const double aspect = image.at("height").get<double>() / image.at("width").get<double>();
+    const auto apparent_k1 = [&](const nlohmann::ordered_json& outputs) {
+      const double half = std::tan(outputs.at("fov").get<double>() / 2);
+      return outputs.at("k1").get<double>() * half * half * (1 + aspect * aspect);
+    };
+    truths.push_back(apparent_k1(image.at("true")));
+    squared += std::pow(apparent_k1(image.at("said")) - truths.back(), 2);
+    sum += truths.back();
+  }
+  for (double truth : truths) spread += std::pow(truth - sum / truths.size(), 2);
+  return 1 - squared / spread;
 }
 
 }  // namespace
@@ -63,7 +82,7 @@ TEST_CASE("a trained model gives the same evaluation each time, equal to that of
   CHECK(to_json(again).dump() == to_json(evaluation).dump());
 
   // Bins of one kind hold every image once; the first row of the robustness table is the network itself.
-  for (const char* kind : {"H-FOV", "size", "camera"}) {
+  for (const char* kind : {"H-FOV", "size", "camera", "lens"}) {
     int members = 0;
     double sum = 0;
     for (const EvaluationBin& bin : evaluation.bins)
@@ -79,9 +98,28 @@ TEST_CASE("a trained model gives the same evaluation each time, equal to that of
   CHECK(evaluation.headline.hfov_mean_deg.interval.low <= evaluation.network.hfov_mean_deg);
   CHECK(evaluation.headline.hfov_mean_deg.interval.high >= evaluation.network.hfov_mean_deg);
 
+  // R² of k1, beside the intervals that were there before it.
+  const nlohmann::ordered_json json = to_json(evaluation);
+  const Estimate& k1_r2 = evaluation.headline.k1_r2;
+  CHECK(k1_r2.value == Approx(k1_r2_of(json)).epsilon(1e-9));
+  CHECK(k1_r2.interval.low < k1_r2.interval.high);
+  CHECK(k1_r2.interval.high <= 1);
+  CHECK(json.at("intervals_95").at("k1_r2").at("value") == k1_r2.value);
+  CHECK(json.at("intervals_95").begin().key() == "hfov_mean_deg");
+  CHECK(json.at("intervals_95").size() == 8);
+  CHECK_THAT(evaluation.report(), Catch::Contains("k1 apparent, R squared"));
+
   const std::string page = to_html(evaluation);
   CHECK_THAT(page, Catch::Contains("<svg") && Catch::Contains("data:image/png;base64,iVBOR") &&
                        Catch::Contains("Gaussian blur, 2 px") && !Catch::Contains("<script"));
+  // It says nothing of deviations and trusted edges, which only a head with a fit has.
+  CHECK_THAT(page, Catch::Contains("id=\"predicted\"") && Catch::Contains("id=\"errors\"") &&
+                       Catch::Contains("id=\"failures\"") && !Catch::Contains("id=\"reliability\"") &&
+                       !Catch::Contains("id=\"edges\""));
+  CHECK_FALSE(json.contains("reliability"));
+  for (const auto& bin : json.at("bins"))
+    CHECK(bin.at("intervals_95").at("hfov_mean_deg").at("value") ==
+          bin.at("network").at("hfov_deg").at("mean"));
 
   // A picture that cannot be read is named, and refused or left out.
   const std::filesystem::path spoilt = dataset.root / dataset.images[images[0]].file;

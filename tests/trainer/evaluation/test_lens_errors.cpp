@@ -130,6 +130,19 @@ TEST_CASE("AUC is the area under the curve of errors, and correlation is Pearson
   CHECK(summarise(three, fov).hfov_correlation == Approx(3 / std::sqrt(2 * 6.)));
 }
 
+TEST_CASE("R squared is 1 without error and 0 for the mean of the truths") {
+  const std::vector<double> truth{1, 2, 6}, none(3), off{1, 1, 1};
+  std::vector<double> of_mean;  // always saying 3
+  for (double t : truth) of_mean.push_back(3 - t);
+  CHECK(r_squared(truth, none) == 1);
+  CHECK(r_squared(truth, of_mean) == Approx(0).margin(1e-15));
+  CHECK(r_squared(truth, off) == Approx(1 - 3 / 14.));  // variance (4 + 1 + 9) / 3
+  std::vector<double> twice_of_mean = of_mean;
+  for (double& e : twice_of_mean) e *= 2;
+  CHECK(r_squared(truth, twice_of_mean) == Approx(-3));
+  CHECK(r_squared(std::vector{.7, .7, .7}, off) == 0);  // nothing to explain
+}
+
 TEST_CASE("predictions that are not a camera, or fold, are counted and measured as they are") {
   const CalibratedCamera truth{"", pinhole_from_hfov(480, 270, radians(60)), {}};
   Outputs none = to_outputs(truth, TargetSpace::raw), folds = none;

@@ -1,6 +1,9 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "distortion/models/warp/seen_hfov.h"
 #include "numbers/angles.h"
@@ -23,6 +26,29 @@ double mean_over(const RayTruth& truth, Function of_distance_px) {
   for (const Eigen::Vector2d& pixel : truth.pixels)
     sum += of_distance_px((pixel - Eigen::Vector2d(truth.camera.pinhole.cx, truth.camera.pinhole.cy)).norm());
   return sum / static_cast<double>(truth.pixels.size());
+}
+
+/// What compare_rays() takes.
+struct ComparedImages {
+  std::vector<RayErrors> network, mean;
+  std::vector<int> clusters;
+  std::vector<std::string> cameras;
+
+  RayComparison compare() const { return compare_rays(network, mean, clusters, cameras, 200, 1); }
+};
+
+/// Forty images of one camera, two at each place, with errors that grow from 1 to 4.9 degrees.
+ComparedImages compared_images() {
+  ComparedImages images;
+  for (int i = 0; i < 40; ++i) {
+    const double angle_deg = 1 + .1 * i;
+    images.network.push_back(
+        {RayAngles{angle_deg, 2 * angle_deg, .5 * angle_deg}, 10 * angle_deg, angle_deg});
+    images.mean.push_back({RayAngles{8, 9, 7}, 50, 6});
+    images.clusters.push_back(i / 2);
+    images.cameras.push_back("front");
+  }
+  return images;
 }
 
 }  // namespace
@@ -149,15 +175,8 @@ TEST_CASE("rays of a Brown-Conrady camera are those of its reprojection grid") {
 }
 
 TEST_CASE("a comparison has an interval about each of the network's numbers") {
-  std::vector<RayErrors> network, mean;
-  std::vector<int> clusters;
-  for (int i = 0; i < 40; ++i) {
-    const double angle_deg = 1 + .1 * i;
-    network.push_back({RayAngles{angle_deg, 2 * angle_deg, .5 * angle_deg}, 10 * angle_deg, angle_deg});
-    mean.push_back({RayAngles{8, 9, 7}, 50, 6});
-    clusters.push_back(i / 2);
-  }
-  const RayComparison c = compare_rays(network, mean, clusters, 200, 1);
+  const ComparedImages images = compared_images();
+  const RayComparison c = images.compare();
   CHECK(c.network.angle_mean_deg == Approx(2.95));
   CHECK(c.network.angle_median_deg == Approx(2.95));
   CHECK(c.network.angle_p95_deg == Approx(5.9));
@@ -169,6 +188,53 @@ TEST_CASE("a comparison has an interval about each of the network's numbers") {
     CHECK(c.intervals[k].low < c.network.*ray_numbers()[k].value);
     CHECK(c.intervals[k].high > c.network.*ray_numbers()[k].value);
   }
-  CHECK(to_json(c).dump() == to_json(compare_rays(network, mean, clusters, 200, 1)).dump());
+  CHECK(to_json(c).dump() == to_json(images.compare()).dump());
   CHECK_THAT(report(c), Catch::Contains("after the best turn") && Catch::Contains("2.95"));
+}
+
+TEST_CASE("a comparison has the numbers of each camera alone") {
+  ComparedImages images = compared_images();
+  const RayComparison of_one = images.compare();
+  CHECK(of_one.by_camera.empty());
+  CHECK_FALSE(to_json(of_one).contains("by_camera"));
+  CHECK_THAT(report(of_one), !Catch::Contains("by camera"));
+
+  // The names are in no order, and the last camera's predictions are none.
+  for (int i = 0; i < 40; ++i) images.cameras[i] = i < 10 ? "right" : i < 36 ? "left" : "rear";
+  for (int i = 36; i < 40; ++i) images.network[i] = {};
+  const RayComparison c = images.compare();
+  REQUIRE(c.by_camera.size() == 3);
+  CHECK(c.by_camera[0].camera == "left");
+  CHECK(c.by_camera[1].camera == "rear");
+  CHECK(c.by_camera[2].camera == "right");
+  double weighted_deg = 0;
+  for (const RayComparison& camera : c.by_camera) {
+    CHECK(camera.by_camera.empty());
+    CHECK(camera.training_mean.angle_mean_deg == Approx(8));
+    const int measured = camera.network.images - camera.network.without_angles;
+    weighted_deg += camera.network.angle_mean_deg * measured / 36;
+  }
+  CHECK(weighted_deg == Approx(c.network.angle_mean_deg));
+  CHECK(c.by_camera[0].network.angle_mean_deg == Approx(3.25));
+  CHECK(c.by_camera[2].network.angle_mean_deg == Approx(1.45));
+  // Its ten images are at five places, whose means lie .2 apart.
+  const Interval right = c.by_camera[2].intervals[0];
+  CHECK(right.low > 1.05);
+  CHECK(right.low < 1.45);
+  CHECK(right.high > 1.45);
+  CHECK(right.high < 1.85);
+
+  // Cameras change nothing in the numbers of all images.
+  const ComparedImages alike{images.network, images.mean, images.clusters, std::vector<std::string>(40)};
+  nlohmann::json all = nlohmann::json::parse(to_json(c).dump());
+  REQUIRE(all.at("by_camera").size() == 3);
+  CHECK(all.at("by_camera").at(2).at("camera") == "right");
+  CHECK(all.at("by_camera").at(2).at("network").at("images") == 10);
+  all.erase("by_camera");
+  CHECK(all.dump() == nlohmann::json::parse(to_json(alike.compare()).dump()).dump());
+
+  // A camera without numbers has none, and not an error of 0.
+  const std::string text = report(c);
+  const std::string rear = text.substr(text.find("\nrear") + 1);
+  CHECK_THAT(rear.substr(0, rear.find('\n')), Catch::Contains(" - ") && Catch::Contains("8"));
 }

@@ -72,10 +72,16 @@ TEST_CASE("networks of both families are measured on pictures of both") {
   }
 
   // A Brown–Conrady evaluation has the same numbers in ray space, and its own as before.
-  const EvaluationSet flat = evaluation_set(plane, Part::test);
+  EvaluationSet flat = evaluation_set(plane, Part::test);
+  for (EvaluationImage& image : flat.images) image.camera = "front";
+  flat.images[0].camera = "another";
   const Evaluation evaluation = evaluate(ours, flat, {.resamples = 20});
   const RayEvaluation in_space = evaluate_rays(ours, ray_set(flat), {.resamples = 20});
   CHECK(to_json(evaluation.rays).dump() == to_json(in_space.comparison).dump());
+  REQUIRE(evaluation.rays.by_camera.size() == 2);
+  CHECK(evaluation.rays.by_camera[0].camera == "another");
+  CHECK(evaluation.rays.by_camera[0].network.images == 1);
+  CHECK_THAT(evaluation.report(), Catch::Contains("by camera"));
   CHECK(evaluation.rays.network.reprojection_mean_px ==
         Approx(evaluation.network.reprojection_mean_px).epsilon(1e-6));
   CHECK_THAT(evaluation.report(), Catch::Contains("in ray space"));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -37,6 +38,7 @@ TEST_CASE(
   json.erase("teacher");
   json.erase("online_lenses");
   json.erase("precision");
+  REQUIRE_FALSE(json.contains("places_share"));
   CHECK(train_options_from_json(json) == TrainOptions{});
   json.erase("architecture");
   CHECK_THROWS_AS(train_options_from_json(json), nlohmann::json::exception);
@@ -55,6 +57,41 @@ TEST_CASE("a precision is a word in JSON and other words are refused") {
   for (const TrainPreset& preset : train_presets())
     CHECK((preset.options.precision == Precision::float32) ==
           (preset.name != "reference" && !preset.name.starts_with("deepcalib-")));
+}
+
+TEST_CASE("a fit says what it needs, and is a word in JSON") {
+  TrainOptions options;
+  options.head = Head::brown_conrady_fit;
+  CHECK_THAT(options.fault(), Catch::StartsWith("orientation: "));
+  options.orientation.measured = true;
+  CHECK_THAT(options.fault(), Catch::StartsWith("targets: "));
+  options.target_space = TargetSpace::seen;
+  CHECK(options.fault() == "");
+  CHECK(to_json(options).at("head") == "brown_conrady_fit");
+  CHECK(train_options_from_json(nlohmann::json::parse(to_json(options).dump())) == options);
+
+  TrainOptions other = options;
+  other.outputs = {"fov", "k1"};
+  CHECK_THAT(other.fault(), Catch::StartsWith("outputs: "));
+  other = options;
+  other.architecture = "resnet34-nopool";
+  CHECK_THAT(other.fault(), Catch::StartsWith("arch "));
+  other = options;
+  other.loss = Loss::reprojection;
+  CHECK_THAT(other.fault(), Catch::StartsWith("loss: "));
+}
+
+TEST_CASE("a share of the places is in JSON where it is not 1 and lies above 0 and at most at 1") {
+  TrainOptions options;
+  options.places_share = .25;
+  const nlohmann::json json = nlohmann::json::parse(to_json(options).dump());
+  CHECK(json.at("places_share") == .25);
+  CHECK(train_options_from_json(json) == options);
+  CHECK(options.fault() == "");
+  for (double share : {0., -.5, 1.0001, std::numeric_limits<double>::quiet_NaN()}) {
+    options.places_share = share;
+    CHECK_THAT(options.fault(), Catch::StartsWith("places-share"));
+  }
 }
 
 TEST_CASE("the thesis' presets are those of the table in docs/models.md") {

@@ -39,11 +39,11 @@ TEST_CASE("a network with an edge channel that starts from gray weights predicts
   edges->eval();
   const torch::NoGradGuard no_gradients;
   const torch::Tensor images = torch::randn({2, 1, 64, 96}), sizes = torch::zeros({2, 2});
-  const torch::Tensor expected = gray->forward(images, sizes);
-  CHECK(torch::allclose(edges->forward(images, sizes), expected, 1e-4, 1e-5));
+  const torch::Tensor expected = gray->forward(images, sizes).numbers;
+  CHECK(torch::allclose(edges->forward(images, sizes).numbers, expected, 1e-4, 1e-5));
   for (auto& p : edges->named_parameters())
     if (p.key() == "conv1.weight") p.value().select(1, 1).fill_(.1);
-  CHECK_FALSE(
-      torch::allclose(edges->forward(images, sizes), expected, 1e-2, 1e-2));  // the edges have an effect
+  CHECK_FALSE(torch::allclose(edges->forward(images, sizes).numbers, expected, 1e-2,
+                              1e-2));  // the edges have an effect
   CHECK_THROWS_WITH(set_weights(*edges, weights_of(*gray), "gray.pt"), Catch::Contains("conv1.weight"));
 }

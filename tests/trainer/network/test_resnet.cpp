@@ -109,11 +109,11 @@ TEST_CASE("any image size goes in, and the size features reach the outputs") {
   for (auto& p : network->named_parameters())
     if (p.key() == "fc.weight") p.value().normal_();
   for (auto [h, w] : {std::pair{68, 120}, std::pair{64, 174}})
-    CHECK(network->forward(torch::randn({3, 1, h, w}), torch::zeros({3, 2})).sizes() ==
+    CHECK(network->forward(torch::randn({3, 1, h, w}), torch::zeros({3, 2})).numbers.sizes() ==
           torch::IntArrayRef({3, 8}));
   const torch::Tensor image = torch::randn({1, 1, 64, 96});
-  const torch::Tensor change =
-      network->forward(image, torch::tensor({{.125f, .25f}})) - network->forward(image, torch::zeros({1, 2}));
+  const torch::Tensor change = network->forward(image, torch::tensor({{.125f, .25f}})).numbers -
+                               network->forward(image, torch::zeros({1, 2})).numbers;
   const torch::Tensor weight = network->named_parameters()["fc.weight"];
   CHECK(torch::allclose(change[0], .125 * weight.select(1, 512) + .25 * weight.select(1, 513), 1e-4, 1e-5));
 }
@@ -127,8 +127,8 @@ TEST_CASE("without size features the size has no effect, and the last layer has 
   CHECK(weight.sizes() == torch::IntArrayRef({8, 512}));
   weight.normal_();
   const torch::Tensor image = torch::randn({1, 1, 64, 96});
-  CHECK(torch::equal(network->forward(image, torch::ones({1, 2})),
-                     network->forward(image, torch::zeros({1, 2}))));
+  CHECK(torch::equal(network->forward(image, torch::ones({1, 2})).numbers,
+                     network->forward(image, torch::zeros({1, 2})).numbers));
 }
 
 TEST_CASE("without the pooling every map is twice as large, with the same weights") {
@@ -144,7 +144,7 @@ TEST_CASE("without the pooling every map is twice as large, with the same weight
   }
   const torch::NoGradGuard no_gradients;
   const torch::Tensor image = torch::randn({1, 1, 64, 96}), sizes = torch::zeros({1, 2});
-  CHECK_FALSE(torch::allclose(pooled->forward(image, sizes), plain->forward(image, sizes)));
+  CHECK_FALSE(torch::allclose(pooled->forward(image, sizes).numbers, plain->forward(image, sizes).numbers));
 }
 
 TEST_CASE("an untrained network predicts the training mean for any image") {
@@ -152,7 +152,10 @@ TEST_CASE("an untrained network predicts the training mean for any image") {
   const auto network = resnet("resnet50");
   network->eval();
   const torch::NoGradGuard no_gradients;
-  CHECK(network->forward(torch::randn({2, 1, 64, 96}), torch::ones({2, 2})).abs().max().item<double>() == 0);
+  CHECK(network->forward(torch::randn({2, 1, 64, 96}), torch::ones({2, 2}))
+            .numbers.abs()
+            .max()
+            .item<double>() == 0);
 }
 
 TEST_CASE("weights of another architecture are refused by name") {

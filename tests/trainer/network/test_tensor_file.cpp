@@ -8,6 +8,7 @@
 #include "tests/temporary_folder.h"
 #include "trainer/network/tensor_file.h"
 #include "trainer/network/weights.h"
+#include "trainer/network/zip_archive.h"
 
 using namespace cps;
 
@@ -18,6 +19,7 @@ NamedTensors some_tensors() {
           {"a.transposed", torch::arange(6, torch::kDouble).reshape({2, 3}).t()},
           {"bytes", torch::arange(300, torch::kLong).to(torch::kByte)},
           {"count", torch::tensor(7, torch::kLong)},
+          {"half", torch::tensor({.5f, -2.f, 65504.f, 6e-8f}).to(torch::kHalf)},
           {"none", torch::empty({0, 3})}};
 }
 
@@ -29,6 +31,15 @@ void check_equal(const NamedTensors& a, const NamedTensors& b) {
     CHECK(b.at(name).dtype() == tensor.dtype());
     CHECK(torch::equal(b.at(name), tensor));
   }
+}
+
+/// Puts other bytes into an entry of a file of weights, with a valid checksum.
+void replace_entry(const std::string& file, const std::string& name, const std::string& bytes) {
+  const std::string whole = read_file(file);
+  std::vector<std::pair<std::string, std::string_view>> entries;
+  for (const auto& [entry, data] : unzip_stored(whole))
+    entries.emplace_back(entry, entry == name ? std::string_view(bytes) : data);
+  write_file(file, zip_stored(entries));
 }
 
 void run_python(const std::filesystem::path& folder, const std::string& program) {
@@ -82,6 +93,43 @@ TEST_CASE("a file of weights with one changed byte is refused, or read as it was
   CHECK(refused > 3 * (24 * 4 + 6 * 8 + 300 + 8));
 }
 
+TEST_CASE("a storage with more or fewer numbers than its description says is refused") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path / "a.pt").string(), entry = "archive/data/0";
+  for (const torch::ScalarType type : {torch::kHalf, torch::kFloat}) {
+    const NamedTensors six{{"w", torch::arange(6, torch::kFloat).to(type)}};
+    save_tensors(six, file);
+    const std::string whole = read_file(file), data(unzip_stored(whole).at(entry));
+    REQUIRE(data.size() == 6 * torch::elementSize(type));
+    replace_entry(file, entry, data);
+    check_equal(six, load_tensors(file));
+    const std::string byte_less = data.substr(1), number_less = data.substr(torch::elementSize(type));
+    for (const std::string& other : {byte_less, number_less, data + data, std::string()}) {
+      INFO(other.size() << " bytes");
+      replace_entry(file, entry, other);
+      CHECK_THROWS_WITH(load_tensors(file), Catch::StartsWith(file + ": ") && Catch::Contains("storage"));
+    }
+  }
+}
+
+TEST_CASE("numbers under the name of another element type are refused") {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path / "a.pt").string(), entry = "archive/data.pkl";
+  const auto renamed = [&](const std::string& type, const std::string& other) {
+    save_tensors({{"w", torch::arange(6, torch::kFloat)}, {"h", torch::zeros({5}, torch::kHalf)}}, file);
+    const std::string whole = read_file(file);
+    std::string pickle(unzip_stored(whole).at(entry));
+    pickle.replace(pickle.find(type), type.size(), other);
+    replace_entry(file, entry, pickle);
+    return file;
+  };
+  CHECK(load_tensors(renamed("HalfStorage", "HalfStorage")).size() == 2);
+  CHECK_THROWS_WITH(load_tensors(renamed("FloatStorage", "HalfStorage")), Catch::Contains("storage"));
+  CHECK_THROWS_WITH(load_tensors(renamed("HalfStorage", "FloatStorage")), Catch::Contains("storage"));
+  CHECK_THROWS_WITH(load_tensors(renamed("HalfStorage", "BFloat16Storage")),
+                    Catch::Contains("element type") && Catch::Contains("BFloat16Storage"));
+}
+
 TEST_CASE("a network starts from weights for colour pictures") {
   torch::manual_seed(3);
   const auto network = make_resnet(*find_architecture("resnet18"), {});
@@ -112,11 +160,12 @@ TEST_CASE("Python's torch reads our weights and we read its", "[slow]") {
 import torch
 from collections import OrderedDict
 d = torch.load("ours.pt", weights_only=True)
-assert sorted(d) == ["a.transposed", "a.weight", "bytes", "count", "none"], sorted(d)
+assert sorted(d) == ["a.transposed", "a.weight", "bytes", "count", "half", "none"], sorted(d)
 assert torch.equal(d["a.weight"], torch.arange(24, dtype=torch.float32).reshape(2, 3, 4))
 assert torch.equal(d["a.transposed"], torch.arange(6, dtype=torch.float64).reshape(2, 3).t())
 assert torch.equal(d["bytes"], torch.arange(300).to(torch.uint8))
 assert d["count"].item() == 7 and d["count"].dtype == torch.int64 and d["count"].shape == ()
+assert d["half"].dtype == torch.float16 and d["half"].tolist() == [0.5, -2, 65504, 2**-24]
 assert d["none"].shape == (0, 3)
 torch.save(d, "dictionary.pt")
 torch.save(OrderedDict(d), "ordered.pt")

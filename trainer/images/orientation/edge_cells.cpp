@@ -1,5 +1,7 @@
 #include "trainer/images/orientation/edge_cells.h"
 
+#include <algorithm>
+
 namespace cps {
 namespace {
 
@@ -58,6 +60,14 @@ void add_segment(EdgeCells& cells, std::size_t cell, const Segment& segment, con
 }
 
 }  // namespace
+
+double coherence(const EdgeTensor& tensor) {
+  if (tensor.steep == 0) return 1;
+  constexpr double agreeing_deviation = .03;  // 1.7 degrees
+  const double steep = static_cast<double>(tensor.steep), tilt = static_cast<double>(tensor.product) / steep,
+               variance = std::max(0.0, static_cast<double>(tensor.flat) / steep - tilt * tilt);
+  return 1 / (1 + variance / (agreeing_deviation * agreeing_deviation));
+}
 
 EdgeCells edge_cells(const GrayView& picture, const ImageSize& grid) {
   EdgeCells cells{.picture = picture.size, .grid = grid, .families = {}};

@@ -19,9 +19,9 @@ void fill_planes(Orientation& orientation, const EdgeCells& cells, int family) {
   for (std::size_t i = 0; i < count; ++i) {
     const EdgeTensor& tensor = cells.families[family][i];
     if (tensor.steep == 0) continue;
-    const double steep = static_cast<double>(tensor.steep);
+    const double steep = static_cast<double>(tensor.steep), weight = steep * coherence(tensor);
     tilt[i] = quantised(static_cast<double>(tensor.product) / steep, tilt_steps_per_unit);
-    confidence[i] = quantised(std::sqrt(steep / (steep + mean_energy)), confidence_steps_per_unit);
+    confidence[i] = quantised(std::sqrt(weight / (weight + mean_energy)), confidence_steps_per_unit);
   }
 }
 

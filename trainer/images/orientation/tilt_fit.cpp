@@ -46,14 +46,15 @@ Moments moments_of(const EdgeCells& cells, int family) {
     for (double x : xs) {
       const EdgeTensor& t = *tensor++;
       if (t.steep == 0) continue;
-      const double steep = static_cast<double>(t.steep), product = static_cast<double>(t.product);
+      const double agreement = coherence(t), steep = agreement * static_cast<double>(t.steep),
+                   product = agreement * static_cast<double>(t.product);
       const Terms terms = terms_at(x, y);
       sums.normal += steep * terms * terms.transpose();
       sums.right += product * terms;
       sums.steep += steep;
       sums.steep_squares += steep * steep;
       sums.product += product;
-      sums.flat += static_cast<double>(t.flat);
+      sums.flat += agreement * static_cast<double>(t.flat);
     }
   return sums;
 }

@@ -6,7 +6,8 @@ namespace cps {
 
 /// What the tilts of one family of edges say of the whole picture: a weighted least-squares fit of
 /// tilt(X, Y) = c₀ + c₁ X + c₂ Y + c₃ XY + c₄ X² + c₅ Y² over the cells, with X to the right and Y down from
-/// the picture's centre in units of its half diagonal, and with each cell's steep squares as weights.
+/// the picture's centre in units of its half diagonal, and with each cell's steep squares times its
+/// coherence() as weights.
 ///
 /// Of upright edges in a frontal plane, seen through a lens whose radial coefficient at the half diagonal is
 /// K1 (TargetSpace::apparent), tilt = −2 K1 XY to first order, for both families. Roll shows in c₀, pitch in

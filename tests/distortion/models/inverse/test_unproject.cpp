@@ -105,6 +105,22 @@ TEST_CASE("every ray of a proved region comes back, all families") {
   }
 }
 
+TEST_CASE("a fisheye on which Newton's method goes back and forth is inverted, too") {
+  // Found among a million lenses: the method never left the bracket and never arrived.
+  const KannalaBrandt lenses[] = {
+      {0.11881026736924374, 0.045176903434039808, 0.01157585553096604, -0.0084411131146018732},
+      {0.085544951743924791, 0.025773085397176952, 0.002356893348613086, -0.011025214975993699}};
+  const Eigen::Vector2d points[] = {{0.040178453666241051, 1.7125137599452112},
+                                    {1.462190535443858, 0.21912515878577427}};
+  for (int i : {0, 1}) {
+    const ModelCertificate proof = certify_region(lenses[i]);
+    REQUIRE(proof.valid);
+    const auto ray = unproject(lenses[i], proof.region, points[i]);
+    REQUIRE(ray);
+    CHECK((project(lenses[i], *ray).point - points[i]).norm() < 1e-12);
+  }
+}
+
 TEST_CASE("a million lenses of every family", "[slow]") {
   for (std::size_t family = 0; family < std::variant_size_v<LensModel>; ++family) {
     const RoundTrip result = round_trips(family, 1'000'000, 8);

@@ -133,7 +133,8 @@ TEST_CASE("gray weights start a network with orientation, whose planes then have
     const torch::Tensor image = torch::randn({2, 1, size.height, size.width}), sizes = torch::zeros({2, 2}),
                         numbers = torch::randn({2, 28});
     const auto predict = [&](double plane) {
-      return edges->forward(image, sizes, {torch::full({2, 4, grid.height, grid.width}, plane), numbers});
+      return edges->forward(image, sizes, {torch::full({2, 4, grid.height, grid.width}, plane), numbers})
+          .numbers;
     };
     CHECK(torch::equal(predict(0), predict(1)));
   }
