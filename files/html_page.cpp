@@ -10,9 +10,9 @@ namespace {
 /// The rules on svg undo colours that plot.cpp writes as attributes, which any rule of CSS overrides.
 constexpr const char* common_style = R"css(
 :root{color-scheme:light dark;--page:#fff;--card:#f6f7f9;--text:#1c2126;--faint:#5b6570;--line:#d5dae0;--accent:#0b66b2;
---good:#116b34;--bad:#b3261e;--blue:#0072b2;--orange:#d55e00;--green:#009e73;--pink:#cc79a7}
+--good:#116b34;--bad:#b3261e;--blue:#0072b2;--orange:#d55e00;--green:#009e73;--pink:#cc79a7;--yellow:#e69f00;--sky:#56b4e9}
 @media(prefers-color-scheme:dark){:root{--page:#14171b;--card:#1c2127;--text:#e4e8ec;--faint:#9aa5b1;--line:#353d47;
---accent:#6cb6ff;--good:#6fd08c;--bad:#ff8a80;--blue:#4aa8e8;--orange:#f08a3c;--green:#2fc698;--pink:#dd93ba}}
+--accent:#6cb6ff;--good:#6fd08c;--bad:#ff8a80;--blue:#4aa8e8;--orange:#f08a3c;--green:#2fc698;--pink:#dd93ba;--yellow:#f0b93a;--sky:#8ccdf2}}
 *{box-sizing:border-box}
 body{font:15px/1.5 system-ui,sans-serif;color:var(--text);background:var(--page);max-width:1280px;margin:0 auto;padding:1em}
 h1{font-size:1.7em;margin:.4em 0;overflow-wrap:anywhere}h2{font-size:1.3em;margin:2em 0 .5em}h3{font-size:1.05em;margin:1.4em 0 .4em}
@@ -27,6 +27,8 @@ svg [stroke="#0072b2"]{stroke:var(--blue)}svg text[fill="#0072b2"]{fill:var(--bl
 svg [stroke="#d55e00"]{stroke:var(--orange)}svg text[fill="#d55e00"]{fill:var(--orange)}
 svg [stroke="#009e73"]{stroke:var(--green)}svg text[fill="#009e73"]{fill:var(--green)}
 svg [stroke="#cc79a7"]{stroke:var(--pink)}svg text[fill="#cc79a7"]{fill:var(--pink)}
+svg [stroke="#e69f00"]{stroke:var(--yellow)}svg text[fill="#e69f00"]{fill:var(--yellow)}
+svg [stroke="#56b4e9"]{stroke:var(--sky)}svg text[fill="#56b4e9"]{fill:var(--sky)}
 svg [stroke="#000000"]{stroke:var(--text)}
 )css";
 

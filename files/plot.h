@@ -31,8 +31,8 @@ struct Plot {
   bool has_legend_below = false;  ///< the legend stands at the bottom of the diagram, not at its top
 };
 
-/// The size of each diagram in SVG user units, and the name of its clip path, which must differ between the
-/// SVGs of one HTML page.
+/// The size of each diagram in SVG user units, and the name of its clip path, which must differ from every
+/// other id of one HTML page.
 struct PlotFrame {
   int width = 420, height = 300;
   std::string clip = "frame";

@@ -41,7 +41,7 @@ rows=(
 case ${1:---help} in -h | --help) print_help && exit ;; esac
 work=$1
 shift
-minutes=30 wanted="" kitti="" threads=$(nproc) seed=0 cps=build/release/bin/cps datasets=() further=()
+minutes=30 wanted="" kitti="" threads=$(nproc) seed=0 cps=build/release/bin/cps datasets=()
 while [ $# -gt 0 ]; do
   if [ "$1" = -- ]; then
     further=("${@:2}")
@@ -84,10 +84,9 @@ for row in "${rows[@]}"; do
     trained_on=$half_noise
   fi
   models+=("$work/models/$name")
-  # More epochs than the budget allows, so that all rows use it up. The options are words without spaces.
+  # The options are words without spaces.
   # shellcheck disable=SC2086
-  train_row "$name" "$trained_on" --preset reference $options --epochs 100000 --minutes "$minutes" --threads "$threads" \
-    --seed "$seed" "${further[@]}"
+  train_row "$name" "$trained_on" --preset reference $options
   eval_row "$name" eval.json --data "$data" --robustness
   [ -z "$kitti" ] || eval_row "$name" eval_kitti.json --kitti "$kitti"
   write_table

@@ -81,10 +81,9 @@ for row in "${rows[@]}"; do
   read -r name data options <<<"$row"
   is_wanted "$name" || continue
   models+=("$work/models/$name")
-  # More epochs than the budget allows, so that all rows use it up. The options are words without spaces.
+  # The options are words without spaces.
   # shellcheck disable=SC2086
-  train_row "$name" "$work/data/$data" $options --arch "$arch" --width "$width" --epochs 100000 --minutes "$minutes" \
-    --threads "$threads" --seed "$seed"
+  train_row "$name" "$work/data/$data" $options --arch "$arch" --width "$width"
   for measured in spherical brown-conrady; do
     eval_row "$name" "eval_$measured.json" --data "$work/data/$measured"
   done

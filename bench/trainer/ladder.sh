@@ -111,10 +111,9 @@ for row in "${rows[@]}"; do
         echo "$name: measures orientation in images of $narrowest pixels; --divide 2 would make larger ones"
       ;;
   esac
-  # More epochs than the budget allows, so that all rows use it up. The options are words without spaces.
+  # The options are words without spaces.
   # shellcheck disable=SC2086
-  train_row "$name" "$work/data/$data" $options --arch "$arch" --reduce 0 --width "$width" --epochs 100000 \
-    --minutes "$minutes" --threads "$threads" --seed "$seed"
+  train_row "$name" "$work/data/$data" $options --arch "$arch" --reduce 0 --width "$width"
   eval_row "$name" eval.json --data "$work/data/$data" --robustness
   if [ "$data" = cps-v3 ]; then
     cp "$work/models/$name/eval.json" "$work/models/$name/eval_cps-v3.json"

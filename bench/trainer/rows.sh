@@ -1,7 +1,9 @@
 # Functions of ladder.sh, ablation.sh and deepcalib.sh, which source this file. A row of their tables is a network in
-# $work/models/NAME. They read the variables cps, work, threads and wanted.
+# $work/models/NAME. They read the variables cps, work, threads, minutes, seed and wanted, and the array further: options of cps train
+# that the user adds to all rows.
 # shellcheck shell=bash disable=SC2034,SC2154
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+further=()
 export LC_ALL=C.UTF-8 # a point in the numbers of `time`
 TIMEFORMAT='%U %S'
 
@@ -35,12 +37,14 @@ narrowest_image() { # DATASET: the least width of its images, from the names of 
   find "$1" -maxdepth 1 -type d -name '[0-9]*x[0-9]*_*' -printf '%f\n' | sed 's/x.*//' | sort -n | sed -n 1p
 }
 
-# Trains a network, or goes on with it, unless it is ready. Each run adds its CPU seconds, user and system, to the file
+# Trains a network for the budget of a row, or goes on with it, unless it is ready. More epochs than the budget allows, so
+# that all rows use it up. Each run adds its CPU seconds, user and system, to the file
 # cpu_seconds; a run that is killed together with the script is missing there.
 train_row() { # NAME DATASET OPTION…
   local model=$work/models/$1 data=$2
   shift 2
-  local options=("$@") command="${data##*/}: $*"
+  local options=("$@" --epochs 100000 --minutes "$minutes" --threads "$threads" --seed "$seed" "${further[@]}")
+  local command="${data##*/}: ${options[*]}"
   mkdir -p "$model"
   if [ -e "$model/command" ] && [ "$(<"$model/command")" != "$command" ]; then
     misused "$model: was trained with other options, see the file 'command' there: remove it or choose another folder"

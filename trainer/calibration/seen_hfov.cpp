@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distortion/brown_conrady.h"
+
 namespace cps {
 namespace {
-
-double distorted_radius(const Outputs& lens, double r) {
-  const double s = r * r;
-  return r * (1 + s * (lens[1] + s * (lens[2] + s * lens[3])));
-}
-
-double radial_slope(const Outputs& lens, double r) {
-  const double s = r * r;
-  return 1 + s * (3 * lens[1] + s * (5 * lens[2] + s * 7 * lens[3]));
-}
 
 /// Halves [low, high] until it cannot be halved; `is_low` holds at low and not at high.
 template <typename IsLow>
@@ -29,17 +21,18 @@ double border(double low, double high, IsLow is_low) {
 }  // namespace
 
 IdealRadius ideal_radius(const Outputs& lens, double distorted) {
+  const Distortion radial{lens[1], lens[2], lens[3]};
+  const auto distorted_radius = [&](double r) { return evaluate(radial, r, 0).x; };
+  const auto slope = [&](double r) { return evaluate(radial, r, 0).xx; };
   constexpr int steps = 128;
   constexpr double max_stretch = 4;
   const double step = max_stretch * distorted / steps;
   for (int i = 0; i < steps; ++i) {
     const double low = i * step, high = low + step;
-    const double end = radial_slope(lens, high) > 0
-                           ? high
-                           : border(low, high, [&](double r) { return radial_slope(lens, r) > 0; });
-    if (distorted_radius(lens, end) >= distorted) {
-      const double r = border(low, end, [&](double at) { return distorted_radius(lens, at) < distorted; });
-      return {r, std::max(0.0, radial_slope(lens, r))};
+    const double end = slope(high) > 0 ? high : border(low, high, [&](double r) { return slope(r) > 0; });
+    if (distorted_radius(end) >= distorted) {
+      const double r = border(low, end, [&](double at) { return distorted_radius(at) < distorted; });
+      return {r, std::max(0.0, slope(r))};
     }
     if (end < high) return {end, 0};
   }

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "trainer/evaluation/lens_errors.h"
+#include "numbers/quantile.h"
 
 namespace cps {
 

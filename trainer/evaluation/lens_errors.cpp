@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "numbers/angles.h"
+#include "numbers/quantile.h"
 
 namespace cps {
 namespace {
@@ -42,15 +43,6 @@ std::vector<double> values_of(std::span<const ImageErrors> errors, Field field) 
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  const double place = q * static_cast<double>(values.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, values.size() - 1);
-  if (values[below] == values[above]) return values[below];  // also where both are infinite
-  return std::lerp(values[below], values[above], place - static_cast<double>(below));
-}
 
 double r_squared(std::span<const double> truth, std::span<const double> error) {
   const double mean_truth = mean({truth.begin(), truth.end()});

@@ -55,9 +55,6 @@ struct LensErrors {
   int folding = 0;  ///< predicted lenses that are not one-to-one in their frame; measured as they are
 };
 
-/// Quantile q of a sample, by linear interpolation between order statistics; 0 for an empty one.
-double quantile(std::vector<double> values, double q);
-
 /// Coefficient of determination: 1 − mean squared error / variance of the truth. 1 where there is no error, 0
 /// for always predicting the mean of these very truths, less where that were better; 0 also if the truth does
 /// not vary. Entry i of both arguments belongs to image i.

@@ -6,8 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "numbers/quantile.h"
 #include "trainer/evaluation/bootstrap.h"
-#include "trainer/evaluation/lens_errors.h"
 
 namespace cps {
 namespace {

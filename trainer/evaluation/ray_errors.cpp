@@ -10,7 +10,7 @@
 #include "distortion/models/warp/proved_camera.h"
 #include "distortion/models/warp/seen_hfov.h"
 #include "numbers/angles.h"
-#include "trainer/evaluation/lens_errors.h"
+#include "numbers/quantile.h"
 
 namespace cps {
 namespace {

@@ -19,7 +19,8 @@ constexpr double min_log_variance = -9, max_log_variance = 3, max_log_weight = 8
 
 /// The network's numbers and weighted edges of a batch, double, on the CPU, with gradients.
 struct BatchEvidence {
-  Tensor mean, log_variance;     ///< [n, 8], standardised
+  Tensor mean;                   ///< [n, 8], standardised
+  Tensor precision;              ///< [n, 8, 8], standardised: the said variances, the targets' correlation
   Tensor weight, weighted_tilt;  ///< [n, 2 · blocks], sums over the fit's blocks, in the order of EdgeBlocks
 };
 
@@ -44,12 +45,28 @@ Tensor block_sums(const Tensor& cells) {
       .flatten(1);
 }
 
-BatchEvidence batch_evidence(const NetworkOutput& output, std::span<const BatchImage> images) {
+/// The correlation's inverse.
+Tensor inverse_correlation(const ModelCard& card) {
+  const OutputCovariance inverse =
+      card.correlation.inverse();  // symmetric: its storage order does not matter
+  return torch::tensor(std::vector<double>(inverse.data(), inverse.data() + inverse.size()), torch::kDouble)
+      .view({output_count, output_count});
+}
+
+/// The precision of the outputs' prior for logarithms of variances, [n, 8].
+Tensor output_precision(const Tensor& log_variance, const ModelCard& card) {
+  const Tensor inverse_deviation = (log_variance * -.5).exp();
+  return inverse_deviation.unsqueeze(2) * inverse_correlation(card) * inverse_deviation.unsqueeze(1);
+}
+
+BatchEvidence batch_evidence(const NetworkOutput& output, std::span<const BatchImage> images,
+                             const ModelCard& card) {
   const Tensor numbers = output.numbers.to(torch::kCPU, torch::kDouble);
   const Tensor weights = output.edge_weights.cpu().clamp(-max_log_weight, max_log_weight).exp();
   const auto [weight, weighted_tilt] = measured_sums(images);
-  return {numbers.narrow(1, 0, output_count),
-          numbers.narrow(1, output_count, output_count).clamp(min_log_variance, max_log_variance),
+  const Tensor log_variance =
+      numbers.narrow(1, output_count, output_count).clamp(min_log_variance, max_log_variance);
+  return {numbers.narrow(1, 0, output_count), output_precision(log_variance, card),
           block_sums(weight * weights), block_sums(weighted_tilt * weights)};
 }
 
@@ -67,25 +84,9 @@ FitVector zero_points(const Standardisation& by) {
   return result;
 }
 
-/// The correlation's inverse.
-Tensor inverse_correlation(const ModelCard& card) {
-  const OutputCovariance inverse =
-      card.correlation.inverse();  // symmetric: its storage order does not matter
-  return torch::tensor(std::vector<double>(inverse.data(), inverse.data() + inverse.size()), torch::kDouble)
-      .view({output_count, output_count});
-}
-
-/// The precision of the outputs' prior, [n, 8, 8], in units(): their variances with the training targets'
-/// correlation.
-Tensor output_precision(const BatchEvidence& batch, const ModelCard& card) {
-  const Tensor inverse_deviation = (batch.log_variance * -.5).exp();
-  return inverse_deviation.unsqueeze(2) * inverse_correlation(card) * inverse_deviation.unsqueeze(1);
-}
-
 std::vector<FrameEvidence> frames_of(const BatchEvidence& batch, std::span<const BatchImage> images,
                                      const ModelCard& card) {
-  const Tensor mean = batch.mean.detach().contiguous(),
-               precision = output_precision(batch, card).detach().contiguous(),
+  const Tensor mean = batch.mean.detach().contiguous(), precision = batch.precision.detach().contiguous(),
                weight = batch.weight.detach().to(torch::kFloat).contiguous(),
                weighted_tilt = batch.weighted_tilt.detach().to(torch::kFloat).contiguous();
   const auto means = mean.accessor<double, 2>();
@@ -146,10 +147,8 @@ Tensor with_angles(const Tensor& precision) {
   return at::constant_pad_nd(precision, {0, 3, 0, 3}) + angles;
 }
 /// Parameters [n, 11] and their covariance [n, 11, 11], with gradients.
-std::pair<Tensor, Tensor> last_step(const BatchEvidence& batch, const FittedPoints& at_points,
-                                    const ModelCard& card) {
-  const Tensor precision = with_angles(output_precision(batch, card)),
-               mean = at::constant_pad_nd(batch.mean, {0, 3});
+std::pair<Tensor, Tensor> last_step(const BatchEvidence& batch, const FittedPoints& at_points) {
+  const Tensor precision = with_angles(batch.precision), mean = at::constant_pad_nd(batch.mean, {0, 3});
   const Tensor weighted_slopes = at_points.slopes * batch.weight.unsqueeze(2);
   const Tensor information = at_points.slopes.transpose(1, 2).matmul(weighted_slopes) + precision;
   const Tensor off = batch.weighted_tilt - batch.weight * at_points.tilts;
@@ -170,14 +169,14 @@ Tensor variances(const Tensor& rows) {
 
 std::vector<FrameEvidence> frame_evidence(const NetworkOutput& output, std::span<const BatchImage> images,
                                           const ModelCard& card) {
-  return frames_of(batch_evidence(output, images), images, card);
+  return frames_of(batch_evidence(output, images, card), images, card);
 }
 
 Tensor head_rows(const NetworkOutput& output, std::span<const BatchImage> images, const ModelCard& card) {
   if (!is_fit(card.options.head)) return output.numbers;
-  const BatchEvidence batch = batch_evidence(output, images);
+  const BatchEvidence batch = batch_evidence(output, images, card);
   const std::vector<FrameEvidence> frames = frames_of(batch, images, card);
-  const auto [parameters, covariance] = last_step(batch, fitted_points(frames, card.targets), card);
+  const auto [parameters, covariance] = last_step(batch, fitted_points(frames, card.targets));
   const Tensor of_outputs = covariance.narrow(1, 0, output_count).narrow(2, 0, output_count);
   return at::cat({parameters.narrow(1, 0, output_count), of_outputs.flatten(1)}, 1).to(torch::kFloat);
 }

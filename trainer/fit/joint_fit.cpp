@@ -3,8 +3,9 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <utility>
+
+#include "trainer/fit/line_search.h"
 
 namespace cps {
 namespace {
@@ -69,23 +70,12 @@ JointStep joint_step(std::span<const WeighedFrame> frames, const JointPosition& 
 }
 
 std::vector<FitVector> moved(std::vector<FitVector> parameters, const JointStep& step, double length) {
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    parameters[i] += length * step.of_frames[i];
-    parameters[i][0] = std::clamp(parameters[i][0], fitted_hfov_rad.low, fitted_hfov_rad.high);
-  }
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parameters[i] = within_bounds(parameters[i] + length * step.of_frames[i]);
   return parameters;
 }
 
 }  // namespace
-
-EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters) {
-  EdgeEquations equations = edge_equations(frame, tilt_model(frame, parameters));
-  const FitVector off = parameters - frame.prior.mean, prior_pull = frame.prior.precision * off;
-  equations.information += frame.prior.precision;
-  equations.pull -= prior_pull;
-  equations.cost += .5 * off.dot(prior_pull);
-  return equations;
-}
 
 OutputEquations without_angles(const EdgeEquations& frame) {
   const AngleResponse response = angle_response(frame);
@@ -100,14 +90,10 @@ JointFit fit_jointly(std::span<const WeighedFrame> frames, std::vector<FitVector
     const JointStep step = joint_step(frames, at);
     constexpr double small_step = 1e-4;
     if (step.squared_length < small_step) break;
-    bool is_lower = false;
-    double length = 1;
-    for (int halvings = 0; halvings < 5 && !is_lower; ++halvings, length /= 2) {
-      JointPosition next = joint_position(frames, moved(at.parameters, step, length));
-      is_lower = next.cost < at.cost;
-      if (is_lower) at = std::move(next);
-    }
-    if (!is_lower) break;
+    const auto along = [&](double length) {
+      return joint_position(frames, moved(at.parameters, step, length));
+    };
+    if (!take_lower(at, along)) break;
   }
   const OutputCovariance information = joint_equations(frames, at).information;
   return {std::move(at.parameters), information};

@@ -20,9 +20,6 @@ struct WeighedFrame {
   double weight = 1;  ///< factor on all its precisions
 };
 
-/// edge_equations() at some parameters, with the frame's prior in all three members.
-EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters);
-
 /// Equations of the outputs alone: information · step = pull.
 struct OutputEquations {
   OutputCovariance information = OutputCovariance::Zero();  ///< inverse of a covariance

@@ -5,38 +5,24 @@
 #include <cmath>
 
 #include "trainer/fit/edge_model.h"
+#include "trainer/fit/line_search.h"
 
 namespace cps {
 namespace {
-
-/// Half the squared distance from the prior's mean, in its deviations.
-double prior_cost(const LensPrior& prior, const FitVector& parameters) {
-  const FitVector off = parameters - prior.mean;
-  return .5 * off.dot(prior.precision * off);
-}
-
-FitVector within_bounds(FitVector parameters) {
-  parameters[0] = std::clamp(parameters[0], fitted_hfov_rad.low, fitted_hfov_rad.high);
-  return parameters;
-}
 
 /// Everything at one set of parameters.
 struct Position {
   FitVector parameters;
   TiltModel model;
-  EdgeEquations edges;
+  EdgeEquations equations;
   double cost = 0;
 };
 
 Position position_at(const FrameEvidence& frame, const FitVector& parameters) {
   Position position{parameters, tilt_model(frame, parameters), {}, 0};
-  position.edges = edge_equations(frame, position.model);
-  position.cost = position.edges.cost + prior_cost(frame.prior, parameters);
+  position.equations = frame_equations(frame, parameters, position.model);
+  position.cost = position.equations.cost;
   return position;
-}
-
-FitMatrix information_at(const FrameEvidence& frame, const Position& position) {
-  return position.edges.information + frame.prior.precision;
 }
 
 }  // namespace
@@ -80,25 +66,39 @@ EdgeEquations edge_equations(const FrameEvidence& frame, const TiltModel& model)
   return sums;
 }
 
+EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters,
+                              const TiltModel& model) {
+  EdgeEquations equations = edge_equations(frame, model);
+  const FitVector off = parameters - frame.prior.mean, prior_pull = frame.prior.precision * off;
+  equations.information += frame.prior.precision;
+  equations.pull -= prior_pull;
+  equations.cost += .5 * off.dot(prior_pull);
+  return equations;
+}
+
+EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters) {
+  return frame_equations(frame, parameters, tilt_model(frame, parameters));
+}
+
+FitVector within_bounds(FitVector parameters) {
+  parameters[0] = std::clamp(parameters[0], fitted_hfov_rad.low, fitted_hfov_rad.high);
+  return parameters;
+}
+
 LensFit fit_lens(const FrameEvidence& frame, int max_iterations) {
   Position at = position_at(frame, within_bounds(frame.prior.mean));
   LensFit fit;
   for (; fit.iterations < max_iterations; ++fit.iterations) {
-    const FitVector pull = at.edges.pull - frame.prior.precision * (at.parameters - frame.prior.mean);
-    const Eigen::LLT<FitMatrix> factor(information_at(frame, at));
-    const FitVector step = factor.solve(pull);
+    const FitVector& pull = at.equations.pull;
+    const FitVector step = Eigen::LLT<FitMatrix>(at.equations.information).solve(pull);
     constexpr double small_share = 1e-6;  // of the squared deviations: step · information · step
     if (step.dot(pull) < small_share) break;
-    bool is_lower = false;
-    double length = 1;
-    for (int halvings = 0; halvings < 5 && !is_lower; ++halvings, length /= 2) {
-      Position next = position_at(frame, within_bounds(at.parameters + length * step));
-      is_lower = next.cost < at.cost;
-      if (is_lower) at = std::move(next);
-    }
-    if (!is_lower) break;
+    const auto along = [&](double length) {
+      return position_at(frame, within_bounds(at.parameters + length * step));
+    };
+    if (!take_lower(at, along)) break;
   }
-  fit.information = information_at(frame, at);
+  fit.information = at.equations.information;
   fit.parameters = at.parameters;
   fit.model = std::move(at.model);
   return fit;

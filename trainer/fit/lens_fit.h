@@ -46,6 +46,12 @@ struct EdgeEquations {
 };
 EdgeEquations edge_equations(const FrameEvidence& frame, const TiltModel& model);
 
+/// edge_equations() at some parameters, with the frame's prior in all three members. `model` is the frame's
+/// tilt_model() there, which the second form computes.
+EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters,
+                              const TiltModel& model);
+EdgeEquations frame_equations(const FrameEvidence& frame, const FitVector& parameters);
+
 /// The most probable parameters.
 struct LensFit {
   FitVector parameters;
@@ -56,6 +62,9 @@ struct LensFit {
 
 /// Within which a fit keeps the H-FOV that is seen, radians.
 inline constexpr Interval fitted_hfov_rad{radians(5), radians(170)};
+
+/// The parameters with the H-FOV clamped to that.
+FitVector within_bounds(FitVector parameters);
 
 /// Starts at the prior's mean. Ends when a step is below a thousandth of the standard deviations, or no step
 /// lowers the cost any more, or after `max_iterations`. The H-FOV stays within fitted_hfov_rad.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "numbers/quantile.h"
 #include "trainer/fit/joint_fit.h"
 #include "trainer/fit/robust_weights.h"
 
@@ -85,7 +86,7 @@ std::vector<FitVector> start_of(std::span<const CameraFrame> frames) {
   for (int k = 0; k < output_count; ++k) {
     std::vector<double> values;
     for (const CameraFrame& frame : frames) values.push_back(frame.alone[k]);
-    const double middle = median(std::move(values));
+    const double middle = quantile(std::move(values), .5);
     for (FitVector& parameters : start) parameters[k] = middle;
   }
   return start;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "numbers/quantile.h"
 
 namespace cps {
 
@@ -10,17 +13,10 @@ double student_weight(double squared_distance, int dimensions, double degrees_of
   return std::min(1.0, (degrees_of_freedom + dimensions) / (degrees_of_freedom + squared_distance));
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  if (values.size() % 2 == 1) return *middle;
-  return (*std::max_element(values.begin(), middle) + *middle) / 2;
-}
-
 double robust_deviation(std::vector<double> values) {
   for (double& value : values) value = std::abs(value);
   constexpr double by_median = 1.4826;  // of a normal distribution
-  return by_median * median(std::move(values));
+  return by_median * quantile(std::move(values), .5);
 }
 
 std::vector<double> tilt_residuals(const FrameEvidence& frame, const FitVector& parameters) {

@@ -15,9 +15,6 @@ namespace cps {
 /// from such precisions.
 double student_weight(double squared_distance, int dimensions, double degrees_of_freedom);
 
-/// The middle value, or the mean of the two middle ones. There must be at least one.
-double median(std::vector<double> values);
-
 /// The standard deviation of normal numbers about zero, of which less than half may be anything else: 1.4826
 /// times the median of their sizes (Hampel 1974). There must be at least one.
 double robust_deviation(std::vector<double> values);

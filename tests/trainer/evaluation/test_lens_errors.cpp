@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "numbers/angles.h"
+#include "numbers/quantile.h"
 #include "tests/trainer/street.h"
 #include "trainer/evaluation/lens_errors.h"
 

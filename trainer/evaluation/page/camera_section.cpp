@@ -10,7 +10,7 @@ namespace cps {
 
 std::string camera_section(const Evaluation& evaluation) {
   if (evaluation.cameras.empty()) return "";
-  PlotSeries dots{.style = PlotStyle::dots};
+  PlotSeries dots{.style = PlotStyle::dots, .colour = 0, .opacity = 1};
   double end = 0;
   for (const CameraEvaluation& camera : evaluation.cameras) {
     const CameraError& error = camera.reprojection_px;
@@ -20,11 +20,11 @@ std::string camera_section(const Evaluation& evaluation) {
   const std::vector<Plot> plots{{.title = "reprojection error of each camera",
                                  .x_label = "mean of its single images, pixels",
                                  .y_label = "all images together, pixels",
-                                 .series = {std::move(dots), {.points = {{0, 0}, {end, end}}, .colour = 1}}}};
+                                 .series = {{.points = {{0, 0}, {end, end}}, .colour = 1}, std::move(dots)}}};
   return fmt::format(
       "<section id=\"cameras\"><h2>All images of a camera together</h2>\n<p>A dot per camera; below the line the "
       "joint fit is better than its images on their own.</p>\n{}</section>\n",
-      to_svg(plots, 1, {.clip = "cameras"}));
+      to_svg(plots, 1, {.clip = "cameras_plots"}));
 }
 
 }  // namespace cps

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "trainer/evaluation/lens_errors.h"
+#include "numbers/quantile.h"
 
 namespace cps {
 namespace {

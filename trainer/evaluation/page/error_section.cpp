@@ -75,7 +75,7 @@ std::string error_section(const Evaluation& evaluation) {
   return "<section id=\"errors\"><h2>Errors by H-FOV and by strength of the lens</h2>\n<p>Means over the "
          "images of a bin, each shown at its middle, beside those of always predicting the training mean. "
          "Bars are 95 % intervals by bootstrap over places.</p>\n" +
-         to_svg(plots, 2, {.clip = "errors"}) + "</section>\n";
+         to_svg(plots, 2, {.clip = "errors_plots"}) + "</section>\n";
 }
 
 }  // namespace cps

@@ -57,7 +57,7 @@ std::string predicted_section(const Evaluation& evaluation) {
           ? fmt::format(" ({} of {}, evenly chosen)", shown.size(), evaluation.images.size())
           : "",
       evaluation.coverage ? " A bar is the stated standard deviation to both sides." : "",
-      to_svg(plots, 3, {.clip = "predicted"}));
+      to_svg(plots, 3, {.clip = "predicted_plots"}));
 }
 
 }  // namespace cps

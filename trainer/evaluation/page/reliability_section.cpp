@@ -54,7 +54,7 @@ std::string reliability_section(const Evaluation& evaluation) {
       "within .25, .5, … 3 stated standard deviations against that of a normal distribution. Below the line "
       "“normal” the deviations are too small, above it too large. Outputs as published.</p>\n{}{}"
       "</section>\n",
-      to_svg(plots, 2, {.clip = "reliability"}), coverage_table(coverage));
+      to_svg(plots, 2, {.clip = "reliability_plots"}), coverage_table(coverage));
 }
 
 }  // namespace cps

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "random/counter_hash.h"
 #include "tests/trainer/images/orientation/drawings.h"
@@ -50,6 +51,29 @@ TEST_CASE("the tilt of straight bars is minus their slope in every cell") {
       }
       CHECK(seen > .95 * static_cast<double>(cells));
     }
+}
+
+TEST_CASE("edges that lie in all directions have less confidence than edges that agree") {
+  // Tilts of ±.1 in equal shares have a deviation of .1: they count 1 / (1 + (.1 / .03)²) = 9 / 109.
+  CHECK(coherence({1'000'000, 0, 10'000}) == Approx(9. / 109));
+  CHECK(coherence({1'000'000, 100'000, 10'000}) == Approx(1));
+  CHECK(coherence({}) == 1);
+
+  // Bars that lean to the left and to the right by turns, six pixels high; a cell holds both.
+  const GrayImage agreeing = leaning_bars(picture, .1);
+  const GrayImage scattered = drawn(picture, [](double x, double y) {
+    const double turn = std::abs(std::remainder(y, 12));
+    return 128 + 100 * std::sin((x - .2 * turn) * 2 * std::numbers::pi / 12);
+  });
+  const auto mean_confidence = [](const GrayImage& image) {
+    const Orientation measured = orientation_of(view_of(image), {58, 22});  // cells of 12 pixels
+    const std::size_t cells = pixel_count(measured.grid);
+    double sum = 0;
+    for (std::size_t i = 0; i < cells; ++i) sum += measured.planes[2 * cells + i];
+    return sum / (static_cast<double>(cells) * confidence_steps_per_unit);
+  };
+  CHECK(mean_confidence(agreeing) > .65);
+  CHECK(mean_confidence(scattered) < .35);
 }
 
 TEST_CASE("contrast and brightness change no bit, a flat picture has no edges") {
