@@ -5,10 +5,16 @@
 #include <cmath>
 
 #include "random/counter_hash.h"
+#include "tests/temporary_folder.h"
 #include "tests/trainer/fit/evidence.h"
 #include "tests/trainer/images/orientation/drawings.h"
+#include "tests/trainer/street.h"
+#include "trainer/calibration/reprojection.h"
 #include "trainer/fit/fit_head.h"
 #include "trainer/images/network_image.h"
+#include "trainer/model/predictor.h"
+#include "trainer/network/tensor_file.h"
+#include "trainer/training/train.h"
 
 using namespace cps;
 using torch::Tensor;
@@ -88,6 +94,9 @@ TEST_CASE("weightless edges leave the network's own numbers") {
     CHECK(rows[0][i].item<float>() == Approx(said).margin(.02));
     CHECK(rows[0][output_count + 9 * i].item<float>() == Approx(std::exp(log_variance)).epsilon(.05));
   }
+  // The training targets' correlation is that of the prior.
+  const auto covariance = [&](int i, int k) { return rows[0][output_count + 8 * i + k].item<double>(); };
+  CHECK(covariance(1, 2) == Approx(-.7 * std::sqrt(covariance(1, 1) * covariance(2, 2))).epsilon(.05));
   const LensPosterior posterior =
       posterior_of({rows.data_ptr<float>(), static_cast<std::size_t>(rows.size(1))}, card);
   CHECK(posterior.deviation()[1] ==
@@ -164,4 +173,34 @@ TEST_CASE("the deviation scale holds the errors that it was found on") {
   // The share within the deviation has a standard error of 2.3 % at 400 images, which is 5 % of a deviation.
   for (int i = 0; i < output_count; ++i) CHECK(scale[i] == Approx((i + 1) * .5).epsilon(.17));
   CHECK(deviation_scale(rows, {}, card.targets)[0] == 1);
+}
+
+TEST_CASE("a lens that folds is pulled before it leaves the predictor") {
+  const TemporaryFolder folder;
+  const Dataset dataset = make_street_dataset(
+      folder.path / "data",
+      {.fields_of_view = 1, .lenses_per_part = 2, .train_places = 2, .val_places = 1, .test_places = 1});
+  TrainOptions options = fit_card().options;
+  options.architecture = "resnet18-16";
+  options.reduction.width = 80;
+  options.epochs = 1;
+  options.batch_size = 2;
+  train(dataset, folder.path / "model", options, false, {});
+  // Now the network says, and is sure, that k1 is far below what any training lens has.
+  NamedTensors weights = load_tensors(folder.path / "model/weights.pt");
+  weights.at("fc.bias")[1] = -30;
+  weights.at("fc.bias")[output_count + 1] = -9;
+  save_tensors(weights, folder.path / "model/weights.pt");
+
+  const Predictor predictor(folder.path / "model");
+  const NetworkImage image = network_image(read_gray_image(dataset.root / dataset.images.front().file),
+                                           options.reduction, options.orientation);
+  const ImageSize size{160, 90};
+  const BatchImage batch = batch_image(image, size);
+  const LensPosterior posterior = predictor.posteriors(std::span(&batch, 1)).front();
+  const auto camera = to_camera(posterior.mean, TargetSpace::seen, size.width, size.height);
+  REQUIRE(camera);
+  CHECK(is_one_to_one(*camera));
+  CHECK(posterior.mean[1] < -.1);
+  CHECK(predictor(std::span(&batch, 1)).front() == posterior.mean);
 }

@@ -79,6 +79,19 @@ TEST_CASE("a fit ends where the gradient vanishes") {
   CHECK(step.dot(pull) < 1e-6);
 }
 
+TEST_CASE("losing the tilts of blocks costs more than any tilts that they may have") {
+  const LensPrior prior = wide_prior(wide_frame);
+  const FrameEvidence frame = synthetic_evidence(prior, prior.mean, wide_frame, 400, make_stream(7, "edges"));
+  const auto cost_at_roll = [&](double roll_deg) {
+    FitVector parameters = prior.mean;
+    parameters[roll_parameter] = radians(roll_deg);
+    return edge_equations(frame, tilt_model(frame, parameters)).cost;
+  };
+  CHECK(cost_at_roll(0) < cost_at_roll(10));
+  CHECK(cost_at_roll(10) < cost_at_roll(20));
+  CHECK(cost_at_roll(20) < cost_at_roll(30));  // a tilt of .58, which no block has
+}
+
 TEST_CASE("more certain edges give a smaller covariance and a pull to what they say") {
   const LensPrior prior = wide_prior(wide_frame);
   FitVector truth = prior.mean;
